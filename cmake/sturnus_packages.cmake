@@ -1,0 +1,41 @@
+# Looks for what the build needs. What is absent blocks only what stands on it, and is named in one line.
+
+# sturnus_need(<what it blocks> <Debian package> <variable that tells whether it is there> <result list>)
+function(sturnus_need what package found missing)
+  if(NOT ${found})
+    message(STATUS "Sturnus: ${what} is skipped: the package ${package} is missing")
+    set(${missing} "${${missing}};${package}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h)
+if(NOT RANDOM123_INCLUDE_DIR)
+  message(FATAL_ERROR "Sturnus: the library can't be built: the package librandom123-dev is missing")
+endif()
+
+if(STURNUS_TBB)
+  find_package(TBB CONFIG QUIET)
+  if(NOT TBB_FOUND)
+    message(STATUS "Sturnus: threads are skipped: the package libtbb-dev is missing")
+    set(STURNUS_TBB OFF)
+  endif()
+endif()
+if(TARGET TBB::tbb)
+  # Debian's target names a system folder as not-system; its headers are not ours to warn about.
+  get_target_property(tbb_includes TBB::tbb INTERFACE_INCLUDE_DIRECTORIES)
+  set_target_properties(TBB::tbb PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${tbb_includes}")
+endif()
+
+set(STURNUS_MISSING "")
+find_path(TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h)
+sturnus_need("scenario files, pictures and the programs" libtomlplusplus-dev TOMLPLUSPLUS_INCLUDE_DIR STURNUS_MISSING)
+find_package(PNG QUIET)
+sturnus_need("scenario files, pictures and the programs" libpng-dev PNG_FOUND STURNUS_MISSING)
+find_path(STB_INCLUDE_DIR stb/stb_truetype.h)
+sturnus_need("scenario files, pictures and the programs" libstb-dev STB_INCLUDE_DIR STURNUS_MISSING)
+
+find_file(STURNUS_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu NO_CMAKE_FIND_ROOT_PATH)
+if(NOT STURNUS_FONT)
+  message(STATUS "Sturnus: text in pictures is skipped: the package fonts-dejavu-core is missing")
+  set(STURNUS_FONT "")
+endif()

@@ -1,0 +1,48 @@
+// Pictures of a running flock, of its measures, and sheets of several pictures.
+#pragma once
+
+#include <sturnus/measure.h>
+#include <sturnus/picture.h>
+#include <sturnus/simulation.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sturnus {
+
+/// What is drawn besides the boids.
+struct RenderOptions {
+  PictureOptions picture;
+  bool trails = false;      ///< where each boid was in the last `camera.trail` steps
+  bool index = false;       ///< cells or leaves of the neighbour index that hold boids
+  bool velocities = false;  ///< an arrow along each velocity
+  bool caption = true;      ///< title, step and count in a corner
+  int threads = 0;          ///< 0: one for each core; the picture does not depend on it
+};
+
+/// Draws one simulation again and again. Trails need to have seen every step: call `follow` after each.
+class Renderer {
+ public:
+  explicit Renderer(const RenderOptions& options = {});
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Remembers where the boids are, for trails.
+  void follow(const Simulation& simulation);
+  Image frame(const Simulation& simulation);
+
+ private:
+  struct Studio;
+  std::unique_ptr<Studio> studio_;
+};
+
+/// The course of all measures, one panel each. Rows in order of their steps; none makes an empty plot.
+Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme, int width = 1280);
+
+/// Pictures from left to right and top to bottom, `columns` in a row, each with a caption.
+Image picture_sheet(const std::vector<Image>& pictures, const std::vector<std::string>& captions, int columns,
+                    ThemeName theme);
+
+}  // namespace sturnus

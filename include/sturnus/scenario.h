@@ -1,0 +1,325 @@
+// What a run is: plain structs with their defaults in place and a unit on every field.
+//
+// A definition does no work. `check` finds what is wrong with one, `Simulation::create` makes a world of
+// it. Lengths are in the scenario's own length unit, times in its time unit; a step lasts `time.dt`.
+// The formulas behind the terms are in docs/model.md, the documents they come from in docs/sources.md.
+#pragma once
+
+#include <sturnus/result.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sturnus {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A point or vector of two or three components, as many as `space.dimensions`; empty means "not given".
+using Coordinates = std::vector<double>;
+
+enum class Edge { open, closed };                 ///< is a neighbour exactly on the outer radius one? open: no
+enum class Strength { grows, constant, fades };   ///< one neighbour's pull over distance d: "d", "1", "1/d"
+enum class Combine { sum, mean };                 ///< of the neighbours' contributions
+enum class Match { velocity, heading };           ///< what alignment averages
+enum class Arbitration { weighted, budget, first };
+enum class SteeringForm { heading, seek, linear };
+enum class BoundaryKind { open, wrap, turn, bounce };
+enum class Integrator { semi_implicit_euler, explicit_euler };
+enum class IndexKind { grid, tree, all_pairs };
+enum class StartRegion { space, box, ball, ring };
+enum class GlyphStyle { dart, cone, circle };
+enum class CameraFit { space, flock };
+
+/// Whose members a term looks at: its own flock's, everybody's, or those of the named flocks.
+struct Whose {
+  enum class Kind { own, all, named };
+  Kind kind = Kind::own;
+  std::vector<std::string> names;  ///< used when kind is `named`
+
+  friend bool operator==(const Whose&, const Whose&) = default;
+};
+
+/// Steer away from neighbours: combine over them of -(o/d) s(d), o the offset to the neighbour, d = |o|.
+struct Separation {
+  double weight = 1.0;
+  double radius = 12.0;  ///< length; neighbours farther than this do not count, 0 means nobody
+  double inner = 0.0;    ///< length; nor do those nearer than this
+  Edge edge = Edge::open;
+  Strength strength = Strength::fades;
+  Combine combine = Combine::sum;
+  Whose of = {Whose::Kind::all, {}};
+  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  double sample = 1.0;                  ///< share of the neighbours that are looked at, by chance, 0 to 1
+  std::int64_t priority = 0;            ///< lower comes first under arbitration "budget" and "first"
+  bool on = true;                       ///< a switch that keeps the weight
+  int order = 0;                        ///< place in the file, which breaks ties of priority
+};
+
+/// Steer toward the average velocity or heading of the neighbours.
+struct Alignment {
+  double weight = 0.12;
+  double radius = 30.0;  ///< length; infinity means the whole population
+  double inner = 0.0;    ///< length
+  Edge edge = Edge::open;
+  Match match = Match::velocity;
+  bool relative = true;     ///< average minus own; false: the average itself
+  bool count_self = false;  ///< the boid is part of its own average
+  Whose of;
+  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  double sample = 1.0;                  ///< share, 0 to 1
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
+/// Steer toward the neighbours: mean over them of (o/d) s(d).
+struct Cohesion {
+  double weight = 0.004;
+  double radius = 30.0;  ///< length; infinity means the whole population (not in a wrapped space)
+  double inner = 0.0;    ///< length
+  Edge edge = Edge::open;
+  Strength strength = Strength::grows;
+  Combine combine = Combine::mean;
+  bool count_self = false;  ///< divide by n + 1 instead of n
+  Whose of;
+  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  double sample = 1.0;                  ///< share, 0 to 1
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
+/// Flee from other flocks in sight. heading: mean unit vector away minus own heading; seek: full speed away
+/// minus own velocity; linear: mean of -o.
+struct Flee {
+  std::vector<std::string> from;  ///< names of the flocks to flee from
+  double radius = 45.0;           ///< length; how far they are seen
+  double weight = 0.5;
+  SteeringForm form = SteeringForm::heading;
+  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
+/// Accelerate toward a cruising speed along the own heading: (speed - |v|) v/|v|.
+struct Cruise {
+  double speed = 2.0;   ///< length per time
+  double weight = 0.1;  ///< per time
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
+/// A bounded random walk of a direction w: w <- unit(w + rate u), force weight * w.
+struct Wander {
+  double rate = 0.3;     ///< how far the direction strays in one step, 0 never
+  double weight = 0.05;  ///< length per time squared
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
+/// Random steering: an acceleration inside the weighted sum, and a turn after the velocity update.
+struct Noise {
+  double acceleration = 0.0;  ///< length per time squared; each component uniform in [-this, this]
+  double turn = 0.0;          ///< degrees; the heading turns by a uniform angle in [-turn/2, turn/2] each step
+  std::int64_t priority = 0;  ///< of the acceleration
+  bool on = true;
+  int order = 0;
+};
+
+/// Where boids begin, and how fast.
+struct Start {
+  StartRegion region = StartRegion::space;
+  Coordinates min;                  ///< box: its lower corner, length
+  Coordinates max;                  ///< box: its upper corner, length
+  Coordinates centre;               ///< ball and ring: length; not given: the middle of the space
+  double radius = 1.0;              ///< ball and ring: outer radius, length
+  double inner = 0.0;               ///< ring: inner radius, length
+  double min_speed = 0.5;           ///< length per time; speeds are uniform between the two
+  double max_speed = 2.0;           ///< length per time
+  Coordinates heading;              ///< direction of all; not given: every boid its own, at random
+  std::string file;                 ///< state CSV to take this flock's boids from instead, relative to the scenario
+};
+
+/// Three colour values that drift toward the neighbours' (ring: the first cohesion term's).
+struct Colour {
+  std::string start;       ///< "#rrggbb", "random", or empty for the next colour of the palette
+  double averaging = 0.0;  ///< share of the way to the neighbours' mean in one step, 0 to 1
+  double noise = 0.0;      ///< each value moves by a uniform amount in [-this, this] each step, 0 to 1
+  Whose of;                ///< whose colours are averaged
+};
+
+/// A kind of boid: how many, how they start, what they feel, what limits them.
+struct FlockDef {
+  std::string name = "boids";
+  std::int64_t count = 300;
+  Start start;
+  double min_speed = 1.0;            ///< length per time; a boid at rest stays at rest
+  double max_speed = 2.0;            ///< length per time
+  double max_acceleration = 0.15;    ///< length per time squared; the cap on the sum of all terms
+  double field_of_view = 360.0;      ///< full angle in degrees; 360 sees all round
+  Arbitration arbitration = Arbitration::weighted;
+  std::vector<Separation> separation = {Separation{}};
+  std::vector<Alignment> alignment = {Alignment{}};
+  std::vector<Cohesion> cohesion = {Cohesion{}};
+  std::vector<Flee> flee;
+  std::optional<Cruise> cruise;
+  std::optional<Wander> wander;
+  std::optional<Noise> noise;
+  Colour colour;
+  std::optional<GlyphStyle> glyph;   ///< how a boid is drawn; not given: dart in 2D, cone in 3D
+  double size = 6.0;            ///< length of a drawn boid
+  double body_radius = 1.0;     ///< length; what touches
+};
+
+/// What happens at the edge of the space.
+struct Boundary {
+  BoundaryKind kind = BoundaryKind::wrap;
+  Coordinates margin;      ///< turn: length, one for each axis or one for all; not given: 0
+  double strength = 0.0;   ///< turn: length per time squared, added for each margin a boid is in
+};
+
+struct Space {
+  std::int64_t dimensions = 2;  ///< 2 or 3
+  Coordinates min;              ///< length; lower corner
+  Coordinates max;              ///< length; upper corner
+  double per_boid = 300.0;      ///< area or volume for each boid where no corners are given: the space grows with the count
+  Boundary boundary;
+};
+
+struct Time {
+  double dt = 1.0;  ///< time units in a step
+  Integrator integrator = Integrator::semi_implicit_euler;
+};
+
+/// How neighbours are found. Equal neighbour sets everywhere; another index may add in another order.
+struct Index {
+  IndexKind kind = IndexKind::grid;
+  std::int64_t leaf_size = 16;    ///< tree: a node with more boids than this is divided
+  std::int64_t depth_limit = 16;  ///< tree: but never deeper than this
+};
+
+/// The mouse or any other point that a person moves: attracts or repels while pressed.
+struct Pointer {
+  double weight = 0.1;
+  double radius = infinity;  ///< length; who is farther feels nothing
+  SteeringForm form = SteeringForm::heading;
+  std::int64_t priority = 0;
+};
+
+enum class PointerMode { attract, repel };
+
+/// Set a parameter by its path, e.g. "flock.birds.max_speed" to "12": any value as it would stand in a file.
+struct SetParameter {
+  std::string path;
+  std::string value;
+};
+/// Add `count` boids around a place, spread over a ball of `radius` (length).
+struct AddBoids {
+  std::string flock;
+  std::int64_t count = 1;
+  Coordinates at;
+  double radius = 0.0;
+};
+/// Remove every boid within `radius` (length) of a place.
+struct EraseBoids {
+  Coordinates at;
+  double radius = 0.0;
+};
+/// Put a boid somewhere with a velocity; the only way out of quarantine.
+struct MoveBoid {
+  std::uint64_t id = 0;
+  Coordinates to;
+  Coordinates velocity;
+};
+/// Move the pointer; `pressed` makes it felt.
+struct MovePointer {
+  PointerMode mode = PointerMode::attract;
+  Coordinates at;
+  bool pressed = true;
+};
+
+using Command = std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer>;
+
+/// A command and the step before which it is carried out.
+struct Event {
+  std::uint64_t step = 0;
+  Command command;
+};
+
+struct Run {
+  std::int64_t steps = 1000;         ///< how long the run is when nobody says
+  std::int64_t measure_every = 10;   ///< steps between two lines of measures
+  double link = 0.0;                 ///< length; neighbours this near are one cluster; 0: the largest finite radius
+  std::string initial;               ///< state CSV with all boids, instead of every flock's start
+  std::int64_t first_step = 0;       ///< number of the step that the start state stands at
+  std::vector<Event> events;         ///< in order of their steps
+};
+
+struct CameraDef {
+  CameraFit fit = CameraFit::space;
+  Coordinates eye;              ///< length; not given: a three-quarter view that fits
+  Coordinates target;           ///< length; not given: the middle of what is fitted
+  double field_of_view = 35.0;  ///< degrees, vertical
+  bool outline = true;          ///< draw the edge of the space
+  std::int64_t trail = 40;      ///< steps that a trail lasts
+};
+
+/// A whole run. `title`, `about`, `try_this` and `source` are for people.
+struct ScenarioDef {
+  std::string name;   ///< file name without ending; not a key of the file
+  std::string file;   ///< where it was read, for messages and relative paths; not a key of the file
+  std::int64_t format = 1;
+  std::string title;
+  std::string about;
+  std::vector<std::string> try_this;
+  std::string source;
+  std::int64_t seed = 1;  ///< of all random streams
+  Space space;
+  Time time;
+  Run run;
+  Index index;
+  Pointer pointer;
+  CameraDef camera;
+  std::vector<FlockDef> flocks = {FlockDef{}};
+
+  std::int64_t boid_count() const {
+    std::int64_t sum = 0;
+    for (const FlockDef& flock : flocks) sum += flock.count;
+    return sum;
+  }
+};
+
+/// Everything that is wrong with a scenario, each with its key; warnings are marked as such.
+Problems check(const ScenarioDef& scenario);
+
+/// Corners of the space after `per_boid` is worked out; `dimensions` components each.
+struct Extent {
+  Coordinates min, max;
+};
+Extent extent_of(const ScenarioDef& scenario);
+
+/// One shipped scenario.
+struct ShippedScenario {
+  const char* name;   ///< unique, e.g. "ucsd"
+  const char* group;  ///< "courses", "gallery", "bench"
+  const char* text;   ///< the TOML file
+};
+
+/// All shipped scenarios in order of group and name.
+const std::vector<ShippedScenario>& shipped_scenarios();
+
+/// Reads TOML text; `file` is used in messages. The result has passed `check`. Warnings and problems found are
+/// appended to `problems` when given.
+Result<ScenarioDef> parse_scenario(const std::string& text, const std::string& file, Problems* problems = nullptr);
+
+/// The effective scenario with all defaults, as TOML that loads again to the same definition.
+std::string to_toml(const ScenarioDef& scenario);
+
+}  // namespace sturnus

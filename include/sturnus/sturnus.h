@@ -1,0 +1,12 @@
+// Everything in one header: scenarios, simulations, measures, pictures, files.
+#pragma once
+
+#include <sturnus/files.h>
+#include <sturnus/measure.h>
+#include <sturnus/parameters.h>
+#include <sturnus/picture.h>
+#include <sturnus/render.h>
+#include <sturnus/scenario.h>
+#include <sturnus/simulation.h>
+#include <sturnus/steering.h>
+#include <sturnus/version.h>

@@ -1,0 +1,93 @@
+// Workers over oneTBB with a static split; serial where the library is built without it.
+#include "base/workers.h"
+
+#include <algorithm>
+#include <cfenv>
+#include <thread>
+
+#ifdef STURNUS_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace sturnus {
+namespace {
+
+// Round to nearest and no flush-to-zero while it lives: a host program may have set either.
+class FloatSettings {
+ public:
+  FloatSettings() : rounding_(std::fegetround()) {
+    std::fesetround(FE_TONEAREST);
+#if defined(__SSE2__)
+    control_ = _mm_getcsr();
+    _mm_setcsr(control_ & ~0x8040u);
+#endif
+  }
+  ~FloatSettings() {
+#if defined(__SSE2__)
+    _mm_setcsr(control_);
+#endif
+    std::fesetround(rounding_);
+  }
+  FloatSettings(const FloatSettings&) = delete;
+  FloatSettings& operator=(const FloatSettings&) = delete;
+
+ private:
+  int rounding_;
+#if defined(__SSE2__)
+  unsigned control_ = 0;
+#endif
+};
+
+int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+}  // namespace
+
+struct Workers::Team {
+  explicit Team(int wanted)
+      : count(wanted > 0 ? wanted : cores())
+#ifdef STURNUS_TBB
+        ,
+        allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(std::max(count, cores()))),
+        arena(count)
+#endif
+  {
+  }
+  int count;
+#ifdef STURNUS_TBB
+  tbb::global_control allowed;
+  tbb::task_arena arena;
+#endif
+};
+
+Workers::Workers(int count) : team_(std::make_unique<Team>(count)) {}
+Workers::~Workers() = default;
+Workers::Workers(Workers&&) noexcept = default;
+Workers& Workers::operator=(Workers&&) noexcept = default;
+
+int Workers::count() const { return team_->count; }
+
+void Workers::for_ranges(std::size_t n,
+                         const std::function<void(std::size_t, std::size_t, int)>& body) const {
+  const auto parts = std::min<std::size_t>(static_cast<std::size_t>(team_->count), n);
+  const auto run_part = [&](std::size_t part) {
+    const FloatSettings settings;
+    body(n * part / parts, n * (part + 1) / parts, static_cast<int>(part));
+  };
+#ifdef STURNUS_TBB
+  if (parts > 1) {
+    team_->arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, parts, run_part, tbb::static_partitioner());
+    });
+    return;
+  }
+#endif
+  for (std::size_t part = 0; part < parts; ++part) run_part(part);
+}
+
+}  // namespace sturnus

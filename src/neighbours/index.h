@@ -1,0 +1,67 @@
+// Who is near: one interface over all pairs, the cell grid and the tree.
+//
+// An index first says in which order the boids should stand (so that near ones stand together), then answers
+// with spans of that order. A span may hold boids that are too far; it never leaves one out. The distance test
+// is the kernel's alone, so every index finds the same neighbours.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/workers.h"
+#include "scenario/model.h"
+
+namespace sturnus {
+
+/// Where boids are, as an index needs to know it. Pointers are to `count` values; the third is null in 2D.
+struct Cloud {
+  int dimensions = 2;
+  std::size_t count = 0;
+  std::array<const float*, 3> position{};
+  const std::uint8_t* hidden = nullptr;  ///< 1: a quarantined boid, which nobody finds
+  bool wraps = false;
+  std::array<float, 3> min{}, max{};  ///< of the space
+};
+
+/// Boids [begin, end) of the order.
+struct Span {
+  std::uint32_t begin, end;
+};
+
+/// A part of space, for pictures of the index.
+struct IndexBox {
+  std::array<float, 3> min{}, max{};
+};
+
+class NeighbourIndex {
+ public:
+  virtual ~NeighbourIndex() = default;
+
+  /// Sorts the cloud for questions of up to `reach` (length, above 0). `order` becomes the order in which boids
+  /// should stand, or empty where they may stand as they do. Ties keep the order that was.
+  virtual void build(const Cloud& cloud, float reach, const Workers& workers, std::vector<std::uint32_t>& order) = 0;
+
+  /// Spans that hold every boid within the reach of a place inside the space. Always in the same order; no boid
+  /// twice. `spans` is cleared first.
+  virtual void spans(const std::array<float, 3>& at, std::vector<Span>& spans) const = 0;
+
+  /// The cells or leaves that hold boids.
+  virtual void boxes(std::vector<IndexBox>& boxes) const = 0;
+};
+
+/// The index that fits: the wanted kind, or all pairs where a wrapped space is shorter than three reaches.
+std::unique_ptr<NeighbourIndex> make_index(const Index& wanted, const Cloud& cloud, float reach);
+
+std::unique_ptr<NeighbourIndex> make_all_pairs();
+std::unique_ptr<NeighbourIndex> make_grid();
+std::unique_ptr<NeighbourIndex> make_tree(std::int64_t leaf_size, std::int64_t depth_limit);
+
+/// The reach with room for the rounding of offsets and distances in float.
+double padded_reach(const Cloud& cloud, float reach);
+
+/// True where grid and tree may be used: not in a wrapped space shorter than three reaches.
+bool may_divide(const Cloud& cloud, float reach);
+
+}  // namespace sturnus

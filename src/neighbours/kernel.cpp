@@ -1,0 +1,197 @@
+// The reference kernel: one boid, one neighbour, one row at a time. Clear before fast.
+#include "neighbours/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/hash.h"
+
+namespace sturnus {
+namespace {
+
+template <int D>
+Vec<D> at(const std::array<const float*, 3>& columns, std::size_t i) {
+  Vec<D> v;
+  for (int axis = 0; axis < D; ++axis) v[axis] = columns[static_cast<std::size_t>(axis)][i];
+  return v;
+}
+
+// Below this squared distance two boids are at one point and feel no direction; it is the least normal float,
+// so that division is safe and denormals play no part.
+constexpr float least_distance_squared = std::numeric_limits<float>::min();
+
+// The boid that is steered, with what its filters need again and again.
+template <int D>
+struct Target {
+  std::uint64_t id;
+  Vec<D> position;
+  Vec<D> velocity;
+  float speed;
+  std::uint32_t salt;  ///< of (seed, step, id), for sampling
+};
+
+// One neighbour as seen from the target.
+template <int D>
+struct Neighbour {
+  std::size_t slot;
+  Vec<D> offset;
+  float distance_squared;
+};
+
+template <int D>
+bool sees(const NeighbourRow& row, const Target<D>& target, const Neighbour<D>& neighbour) {
+  if (row.sees_all) return true;
+  const float distance = std::sqrt(neighbour.distance_squared);
+  return dot(target.velocity, neighbour.offset) >= row.cos_half_view * target.speed * distance;
+}
+
+template <int D>
+bool sampled(const NeighbourRow& row, const Target<D>& target, std::uint64_t neighbour_id) {
+  if (row.sample_below == 0) return true;
+  return static_cast<std::uint32_t>(mix(neighbour_id ^ (std::uint64_t{target.salt} << 32)) >> 32) < row.sample_below;
+}
+
+void add(NeighbourSum& sum, const std::array<const float*, 3>& columns, int components, std::size_t i) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(components); ++axis) sum.value[axis] += columns[axis][i];
+}
+
+template <int D>
+void add_offset(NeighbourSum& sum, Strength strength, const Neighbour<D>& neighbour) {
+  float scale = 1;
+  if (strength != Strength::grows) {
+    if (neighbour.distance_squared < least_distance_squared) return;
+    scale = 1.0f / (strength == Strength::fades ? neighbour.distance_squared : std::sqrt(neighbour.distance_squared));
+  }
+  for (int axis = 0; axis < D; ++axis) sum.value[static_cast<std::size_t>(axis)] += neighbour.offset[axis] * scale;
+}
+
+template <int D>
+void add_contribution(NeighbourSum& sum, const NeighbourRow& row, const Boids& sources, const Neighbour<D>& neighbour) {
+  ++sum.count;
+  switch (row.quantity) {
+    case Quantity::offset: return add_offset(sum, row.strength, neighbour);
+    case Quantity::velocity: return add(sum, sources.velocity, D, neighbour.slot);
+    case Quantity::heading: return add(sum, sources.heading, D, neighbour.slot);
+    case Quantity::colour: return add(sum, sources.colour, 3, neighbour.slot);
+  }
+}
+
+template <int D>
+void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boids& sources, Span span,
+                    const Image& image, NeighbourSum* sums) {
+  for (std::size_t i = span.begin; i < span.end; ++i) {
+    Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), image), 0};
+    neighbour.distance_squared = dot(neighbour.offset, neighbour.offset);
+    if (!(neighbour.distance_squared < flock.reach_squared) || sources.id[i] == target.id) continue;
+    for (std::size_t r = 0; r < flock.rows.size(); ++r) {
+      const NeighbourRow& row = flock.rows[r];
+      const bool in_ring = row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
+      if (!in_ring || (row.flocks & sources.flock_bit[i]) == 0) continue;
+      if (sees(row, target, neighbour) && sampled(row, target, sources.id[i])) {
+        add_contribution(sums[r], row, sources, neighbour);
+      }
+    }
+  }
+}
+
+// Totals of the flocks that a row looks at, minus the boid itself, as if it had summed over all others.
+template <int D>
+NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::size_t self, std::span<const Totals> totals) {
+  double count = 0;
+  std::array<double, 3> sum{};
+  for (std::size_t flock = 0; flock < totals.size(); ++flock) {
+    if ((row.flocks >> flock & 1) == 0) continue;
+    count += totals[flock].count;
+    const auto& of_flock = row.quantity == Quantity::offset     ? totals[flock].position
+                           : row.quantity == Quantity::velocity ? totals[flock].velocity
+                                                                : totals[flock].heading;
+    for (std::size_t axis = 0; axis < D; ++axis) sum[axis] += of_flock[axis];
+  }
+  const bool self_counted = (row.flocks & boids.flock_bit[self]) != 0;
+  const auto& own = row.quantity == Quantity::offset     ? boids.position
+                    : row.quantity == Quantity::velocity ? boids.velocity
+                                                         : boids.heading;
+  NeighbourSum out;
+  count -= self_counted ? 1 : 0;
+  out.count = static_cast<std::uint32_t>(count);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const double mine = own[axis][self];
+    double others = sum[axis] - (self_counted ? mine : 0);
+    if (row.quantity == Quantity::offset) others -= count * mine;
+    out.value[axis] = static_cast<float>(others);
+  }
+  return out;
+}
+
+template <int D>
+void add_boid(Totals& totals, const Boids& boids, std::size_t i) {
+  totals.count += 1;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    totals.position[axis] += double{boids.position[axis][i]};
+    totals.velocity[axis] += double{boids.velocity[axis][i]};
+    if (boids.heading[axis] != nullptr) totals.heading[axis] += double{boids.heading[axis][i]};
+  }
+}
+
+void add_totals(Totals& to, const Totals& from) {
+  to.count += from.count;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    to.position[axis] += from.position[axis];
+    to.velocity[axis] += from.velocity[axis];
+    to.heading[axis] += from.heading[axis];
+  }
+}
+
+}  // namespace
+
+template <int D>
+void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers, std::vector<Totals>& totals) {
+  constexpr std::size_t block_size = 4096;
+  const std::size_t blocks = (boids.count + block_size - 1) / block_size;
+  std::vector<Totals> parts(blocks * flocks);
+  workers.for_ranges(blocks, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t block = begin; block < end; ++block) {
+      const std::size_t last = std::min(boids.count, (block + 1) * block_size);
+      for (std::size_t i = block * block_size; i < last; ++i) {
+        if (boids.flock_bit[i] != 0) add_boid<D>(parts[block * flocks + boids.flock[i]], boids, i);
+      }
+    }
+  });
+  totals.assign(flocks, {});
+  for (std::size_t i = 0; i < parts.size(); ++i) add_totals(totals[i % flocks], parts[i]);
+}
+
+template <int D>
+void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, const Boids& sources,
+                    const NeighbourQuestion& question, std::span<NeighbourSum> sums) {
+  const Model& model = *question.model;
+  std::vector<Span> spans;
+  for (std::size_t j = begin; j < end; ++j) {
+    NeighbourSum* own = &sums[j * model.most_rows];
+    std::fill(own, own + model.most_rows, NeighbourSum{});
+    if (targets.flock_bit[j] == 0) continue;
+    const FlockModel& flock = model.flocks[targets.flock[j]];
+    if (question.index != nullptr && flock.reach_squared > 0) {
+      const auto velocity = at<D>(targets.velocity, j);
+      const Target<D> target{targets.id[j], at<D>(targets.position, j), velocity, length(velocity),
+                             static_cast<std::uint32_t>(fold(fold(model.seed, question.step), targets.id[j]))};
+      std::array<float, 3> place{};
+      for (int axis = 0; axis < D; ++axis) place[static_cast<std::size_t>(axis)] = target.position[axis];
+      question.index->spans(place, spans);
+      for (const Span span : spans) add_neighbours(flock, target, sources, span, question.image, own);
+    }
+    for (std::size_t r = 0; r < flock.rows.size(); ++r) {
+      if (flock.rows[r].whole_population) own[r] = whole_population<D>(flock.rows[r], targets, j, question.totals);
+    }
+  }
+}
+
+template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
+template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
+template void neighbour_sums<2>(const Boids&, std::size_t, std::size_t, const Boids&, const NeighbourQuestion&,
+                                std::span<NeighbourSum>);
+template void neighbour_sums<3>(const Boids&, std::size_t, std::size_t, const Boids&, const NeighbourQuestion&,
+                                std::span<NeighbourSum>);
+
+}  // namespace sturnus

@@ -1,0 +1,262 @@
+// Everything that can be wrong with a scenario beyond the range of a single number, each in one sentence.
+#include <sturnus/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "scenario/assign.h"
+#include "scenario/events.h"
+
+namespace sturnus {
+namespace {
+
+constexpr std::size_t most_flocks = 64;
+
+class Checker {
+ public:
+  explicit Checker(const ScenarioDef& scenario) : scenario_(scenario) {
+    for (const FlockDef& flock : scenario.flocks) names_.push_back(flock.name);
+  }
+
+  Problems run() {
+    check_numbers();
+    check_space();
+    check_boundary();
+    check_flocks();
+    check_camera();
+    check_events();
+    return std::move(problems_);
+  }
+
+ private:
+  std::size_t axes() const { return static_cast<std::size_t>(scenario_.space.dimensions); }
+
+  void say_error(std::string key, std::string text) {
+    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), false});
+  }
+  void say_warning(std::string key, std::string text) {
+    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), true});
+  }
+
+  // Every single value against its own range: structs filled by hand have not met the parser.
+  void check_numbers();
+
+  void check_size(const Coordinates& at, std::size_t size, const std::string& key) {
+    if (!at.empty() && at.size() != size) say_error(key, say("must have ", size, " numbers, but has ", at.size()));
+  }
+
+  void check_space() {
+    const Space& space = scenario_.space;
+    if (!(scenario_.time.dt > 0)) say_error("time.dt", say("must be above 0, but is ", number_text(scenario_.time.dt)));
+    check_size(space.min, axes(), "space.min");
+    check_size(space.max, axes(), "space.max");
+    if (space.min.empty() != space.max.empty()) {
+      return say_error(space.min.empty() ? "space.min" : "space.max", "is missing; min and max go together");
+    }
+    if (space.min.empty() && !(space.per_boid > 0)) {
+      return say_error("space.per_boid", "must be above 0, or give space.min and space.max");
+    }
+    for (std::size_t axis = 0; axis < std::min(space.min.size(), space.max.size()); ++axis) {
+      if (!(space.min[axis] < space.max[axis])) {
+        say_error("space.max", say("must be above min on every axis, but ", number_text(space.max[axis]), " is not above ",
+                                   number_text(space.min[axis])));
+      }
+    }
+  }
+
+  void check_boundary() {
+    const Boundary& boundary = scenario_.space.boundary;
+    const std::string key = "space.boundary.margin";
+    if (boundary.margin.size() > 1) check_size(boundary.margin, axes(), key);
+    if (has_errors(problems_) || boundary.kind != BoundaryKind::turn) return;
+    const Extent extent = extent_of(scenario_);
+    for (std::size_t axis = 0; axis < axes() && !boundary.margin.empty(); ++axis) {
+      const double margin = boundary.margin[boundary.margin.size() == 1 ? 0 : axis];
+      const double size = extent.max[axis] - extent.min[axis];
+      if (2 * margin > size) {
+        say_warning(key, say("the margins of ", number_text(margin), " cross on axis ", axis, ", which is only ",
+                             number_text(size), " long; between them both push"));
+      }
+    }
+  }
+
+  void check_flocks() {
+    if (scenario_.flocks.empty()) return say_error("flock", "there is no flock; a file needs at least one [[flock]]");
+    if (scenario_.flocks.size() > most_flocks) say_error("flock", say("there are more than ", most_flocks, " flocks"));
+    for (std::size_t i = 0; i < scenario_.flocks.size(); ++i) {
+      const FlockDef& flock = scenario_.flocks[i];
+      const std::string prefix = say("flock.", flock.name, ".");
+      check_name(i, prefix);
+      if (flock.max_speed < flock.min_speed) {
+        say_error(prefix + "max_speed", say(number_text(flock.max_speed), " is below min_speed ", number_text(flock.min_speed)));
+      }
+      check_start(flock.start, prefix + "start.");
+      check_terms(flock, prefix);
+      check_colour(flock.colour, prefix + "colour.");
+    }
+  }
+
+  void check_name(std::size_t i, const std::string& prefix) {
+    const std::string& name = names_[i];
+    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+    if (!plain) say_error(prefix + "name", say("\"", name, "\" must be letters, digits, - and _, so that paths can name it"));
+    if (name == "own" || name == "all") say_error(prefix + "name", say("\"", name, "\" has a meaning of its own"));
+    if (std::find(names_.begin(), names_.begin() + static_cast<std::ptrdiff_t>(i), name) !=
+        names_.begin() + static_cast<std::ptrdiff_t>(i)) {
+      say_error(prefix + "name", say("two flocks are called \"", name, "\""));
+    }
+  }
+
+  void check_start(const Start& start, const std::string& prefix) {
+    check_size(start.min, axes(), prefix + "min");
+    check_size(start.max, axes(), prefix + "max");
+    check_size(start.centre, axes(), prefix + "centre");
+    check_size(start.heading, axes(), prefix + "heading");
+    if (start.max_speed < start.min_speed) say_error(prefix + "speed", "the smaller speed must come first");
+    if (start.region == StartRegion::box) {
+      if (start.min.empty() || start.max.empty()) return say_error(prefix + "region", "a box needs min and max");
+      for (std::size_t axis = 0; axis < std::min(start.min.size(), start.max.size()); ++axis) {
+        if (start.min[axis] > start.max[axis]) say_error(prefix + "max", "must not be below min");
+      }
+    }
+    if (start.region == StartRegion::ring && start.inner > start.radius) {
+      say_error(prefix + "inner", say("the ring's inner radius ", number_text(start.inner), " is above its radius ",
+                                      number_text(start.radius)));
+    }
+  }
+
+  template <class Term>
+  void check_list(const std::vector<Term>& terms, const std::string& prefix, bool over_offsets) {
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const std::string here = terms.size() == 1 ? prefix : say(prefix, i, ".");
+      check_reach(terms[i], here, over_offsets);
+      check_whose(terms[i].of, here + "of");
+    }
+  }
+
+  template <class Term>
+  void check_reach(const Term& term, const std::string& prefix, bool over_offsets) {
+    if (term.inner > term.radius) {
+      say_error(prefix + "radius", say("the outer radius ", number_text(term.radius), " is below the inner radius ",
+                                       number_text(term.inner)));
+    }
+    if (!std::isinf(term.radius)) return;
+    const std::string lead = "an infinite radius means the whole population, which ";
+    const std::string key = prefix + "radius";
+    if constexpr (requires { term.strength; }) {
+      if (term.strength != Strength::grows) say_error(key, lead + "needs strength \"d\"");
+    }
+    if (term.inner > 0) say_error(key, lead + "can't have an inner radius");
+    if (term.sample < 1) say_error(key, lead + "can't be sampled");
+    if (term.field_of_view.value_or(flock_view_) < 360) say_error(key, lead + "needs a field of view of 360");
+    if (over_offsets && scenario_.space.boundary.kind == BoundaryKind::wrap) {
+      say_error(key, lead + "has no centre in a wrapped space; give a radius or another boundary");
+    }
+  }
+
+  void check_whose(const Whose& whose, const std::string& key) {
+    if (whose.kind == Whose::Kind::named) check_names(whose.names, key);
+  }
+
+  void check_names(const std::vector<std::string>& wanted, const std::string& key) {
+    for (const std::string& name : wanted) {
+      if (std::find(names_.begin(), names_.end(), name) == names_.end()) say_error(key, unknown_word("flock", name, names_));
+    }
+  }
+
+  void check_terms(const FlockDef& flock, const std::string& prefix) {
+    flock_view_ = flock.field_of_view;
+    check_list(flock.separation, prefix + "separation.", true);
+    check_list(flock.alignment, prefix + "alignment.", false);
+    check_list(flock.cohesion, prefix + "cohesion.", true);
+    for (const Flee& flee : flock.flee) {
+      if (flee.from.empty()) say_error(prefix + "flee.from", "names nobody to flee from");
+      check_names(flee.from, prefix + "flee.from");
+    }
+  }
+
+  void check_colour(const Colour& colour, const std::string& prefix) {
+    check_whose(colour.of, prefix + "of");
+    if (colour.start.empty() || colour.start == "random") return;
+    const bool is_hex = colour.start.size() == 7 && colour.start[0] == '#' &&
+                        colour.start.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (!is_hex) say_error(prefix + "start", say("must be \"#rrggbb\" or \"random\", but found \"", colour.start, "\""));
+  }
+
+  void check_camera() {
+    check_size(scenario_.camera.eye, 3, "camera.eye");
+    check_size(scenario_.camera.target, 3, "camera.target");
+    if (!scenario_.camera.eye.empty() && scenario_.camera.eye == scenario_.camera.target) {
+      say_error("camera.eye", "must not be where the target is");
+    }
+  }
+
+  // Events are checked against the scenario as it stands when their turn comes.
+  void check_events() {
+    if (has_errors(problems_) || scenario_.run.events.empty()) return;
+    ScenarioDef now = scenario_;
+    now.run.events.clear();
+    for (std::size_t i = 0; i < scenario_.run.events.size(); ++i) {
+      const Event& event = scenario_.run.events[i];
+      if (const auto error = check_command(now, event.command)) {
+        say_error("run.events", say("event ", i + 1, " (step ", event.step, "): ", *error));
+        continue;
+      }
+      const auto* set = std::get_if<SetParameter>(&event.command);
+      if (set != nullptr && !set_parameter(now, set->path, parse_value(set->value))) return;
+    }
+  }
+
+  const ScenarioDef& scenario_;
+  std::vector<std::string> names_;
+  double flock_view_ = 360;
+  Problems problems_;
+};
+
+// Assigns every value to itself, which checks its range.
+class RangeVisitor : public FieldVisitor {
+ public:
+  using Tell = std::function<void(std::string, std::string)>;
+  RangeVisitor(std::string prefix, const Tell& tell) : prefix_(std::move(prefix)), tell_(tell) {}
+
+  void field(std::string_view key, FieldRef place, const About& about) override {
+    const auto value = value_at(place);
+    if (!value) return;
+    if (const auto* ring = std::get_if<RingRef>(&place); ring != nullptr && *ring->inner > *ring->outer) return;
+    if (const auto error = assign(place, *value, about)) tell_(prefix_ + std::string(key), *error);
+  }
+  void table(std::string_view key, const About&, const std::function<void(FieldVisitor&)>& visit_inside,
+             std::string_view) override {
+    RangeVisitor inner(say(prefix_, key, "."), tell_);
+    visit_inside(inner);
+  }
+  void items(std::string_view key, const About&, const Items& items) override {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const std::string name = items.name ? say(items.name(i), ".") : items.size() > 1 ? say(i, ".") : "";
+      RangeVisitor inner(say(prefix_, key, ".", name), tell_);
+      items.visit(i, inner);
+    }
+  }
+
+ private:
+  std::string prefix_;
+  const Tell& tell_;
+};
+
+void Checker::check_numbers() {
+  ScenarioDef copy = scenario_;  // visiting hands out places to write to
+  const RangeVisitor::Tell tell = [this](std::string key, std::string text) {
+    say_error(std::move(key), std::move(text));
+  };
+  RangeVisitor visitor("", tell);
+  visit(copy, visitor);
+}
+
+}  // namespace
+
+Problems check(const ScenarioDef& scenario) { return Checker(scenario).run(); }
+
+}  // namespace sturnus

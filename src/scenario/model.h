@@ -1,0 +1,96 @@
+// The compiled scenario: constant during a step, in the numbers that the step computes with.
+#pragma once
+
+#include <sturnus/scenario.h>
+
+#include <array>
+#include <cstdint>
+
+namespace sturnus {
+
+/// What a neighbour contributes to a sum.
+enum class Quantity { offset, velocity, heading, colour };
+
+/// One sum over neighbours, for the members of one flock: a row of data over the one kernel.
+struct NeighbourRow {
+  Quantity quantity = Quantity::offset;
+  Strength strength = Strength::grows;  ///< of an offset
+  float inner_squared = 0;              ///< inner² <= d²
+  float outer_squared = 0;              ///< d² < outer²; a closed edge is the next float
+  float cos_half_view = -1;
+  bool sees_all = true;
+  bool whole_population = false;  ///< totals minus self, no ring
+  std::uint32_t sample_below = 0; ///< a neighbour counts when its hash lies below; 0: all count
+  std::uint64_t flocks = 0;       ///< a bit for every flock that is looked at
+};
+
+enum class TermKind { separation, alignment, cohesion, flee, cruise, wander, noise, pointer, custom };
+
+/// One steering term of a flock.
+struct TermModel {
+  TermKind kind = TermKind::separation;
+  int row = -1;  ///< its neighbour row, or the number of a custom rule
+  float weight = 1;
+  Combine combine = Combine::mean;
+  Match match = Match::velocity;
+  bool count_self = false;
+  bool relative = true;
+  SteeringForm form = SteeringForm::heading;
+  float amount = 0;  ///< cruise: speed · wander: rate · noise: acceleration
+  std::int64_t priority = 0;
+  int order = 0;
+};
+
+struct FlockModel {
+  std::vector<NeighbourRow> rows;
+  std::vector<TermModel> terms;  ///< in order of priority, then of the file
+  float reach_squared = 0;       ///< beyond it no row of this flock counts a neighbour
+  float min_speed = 0;
+  float max_speed = infinity_f;
+  float max_acceleration = infinity_f;
+  Arbitration arbitration = Arbitration::weighted;
+  float noise_turn = 0;  ///< radians, full width
+  int colour_row = -1;
+  float colour_averaging = 0;
+  float colour_noise = 0;
+
+  static constexpr float infinity_f = std::numeric_limits<float>::infinity();
+};
+
+struct PointerModel {
+  float weight = 0;
+  float radius = 0;
+  SteeringForm form = SteeringForm::heading;
+};
+
+struct Model {
+  int dimensions = 2;
+  std::uint64_t seed = 0;
+  float dt = 1;
+  Integrator integrator = Integrator::semi_implicit_euler;
+  BoundaryKind boundary = BoundaryKind::open;
+  std::array<float, 3> min{}, max{}, size{}, margin{};
+  float turn_strength = 0;
+  Index index;
+  float reach = 0;  ///< length; largest finite radius over which any row looks
+  PointerModel pointer;
+  std::vector<FlockModel> flocks;
+  std::size_t most_rows = 0;  ///< of any flock
+  bool uses_totals = false;
+  bool uses_headings = false;
+  bool uses_wander = false;
+  bool uses_colour = false;
+
+  bool wraps() const { return boundary == BoundaryKind::wrap; }
+};
+
+/// Compiles a scenario that has passed `check`.
+Model compile(const ScenarioDef& scenario);
+
+/// Red, green and blue of "#rrggbb", each 0 to 1 (as written, not linearised).
+std::array<float, 3> colour_of_hex(const std::string& hex);
+
+/// Adds a term to every flock and puts the terms in their order.
+void add_term(Model& model, const TermModel& term);
+
+}  // namespace sturnus

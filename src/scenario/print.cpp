@@ -1,0 +1,117 @@
+// The effective scenario as TOML: every key with its value, terms in the order in which they count.
+#include <sturnus/parameters.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "scenario/assign.h"
+#include "scenario/events.h"
+
+namespace sturnus {
+namespace {
+
+// One `key = value` and where it belongs among its neighbours.
+struct Entry {
+  int order;
+  std::string key;
+  std::string text;
+};
+
+bool is_whole_table(std::string_view key) {
+  for (const char* name : {"space", "time", "run", "index", "pointer", "camera"}) {
+    if (key == name) return true;
+  }
+  return false;
+}
+
+// Collects the entries of one table; tables inside become { } on one line, the big ones get a [header].
+class TomlPrinter : public FieldVisitor {
+ public:
+  void field(std::string_view key, FieldRef place, const About&) override {
+    const auto value = value_at(place);
+    if (!value) return;
+    const auto* ring = std::get_if<RingRef>(&place);
+    const bool has_inner = ring != nullptr && *ring->inner != 0;
+    entries_.push_back({-1, has_inner ? "ring" : std::string(key), to_text(*value)});
+  }
+
+  void table(std::string_view key, const About&, const std::function<void(FieldVisitor&)>& visit_inside,
+             std::string_view) override {
+    TomlPrinter inner;
+    visit_inside(inner);
+    if (is_whole_table(key)) {
+      blocks_.push_back(say("\n[", key, "]\n", inner.lines()));
+    } else {
+      entries_.push_back({-1, std::string(key), inner.braces()});
+    }
+  }
+
+  void items(std::string_view key, const About&, const Items& items) override {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      TomlPrinter inner;
+      items.visit(i, inner);
+      if (items.name) {
+        blocks_.push_back(say("\n[[", key, "]]\n", inner.lines()));
+      } else {
+        texts.push_back(inner.braces());
+      }
+    }
+    if (items.name) return;
+    if (texts.empty() && key != "separation" && key != "alignment" && key != "cohesion") return;
+    const int order = texts.empty() ? 0 : *items.order(0);
+    entries_.push_back({order, std::string(key), texts.size() == 1 ? texts.front() : list_text(texts)});
+  }
+
+  std::string lines() {
+    sort();
+    std::string out;
+    for (const Entry& entry : entries_) out += say(entry.key, " = ", entry.text, "\n");
+    return out;
+  }
+
+  std::string all() {
+    std::string out = lines();
+    for (const std::string& block : blocks_) out += block;
+    return out;
+  }
+
+  static std::string list_text(const std::vector<std::string>& texts) {
+    if (texts.empty()) return "[]";
+    std::string out = "[\n";
+    for (const std::string& text : texts) out += say("  ", text, ",\n");
+    return out + "]";
+  }
+
+ private:
+  std::string braces() {
+    sort();
+    std::string out;
+    for (const Entry& entry : entries_) out += say(out.empty() ? "{ " : ", ", entry.key, " = ", entry.text);
+    return out.empty() ? "{}" : out + " }";
+  }
+
+  void sort() {
+    std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.order < b.order; });
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<std::string> blocks_;
+};
+
+}  // namespace
+
+std::string to_toml(const ScenarioDef& scenario) {
+  ScenarioDef copy = scenario;  // visiting hands out places to write to
+  if (!copy.space.min.empty()) copy.space.per_boid = 0;
+  TomlPrinter printer;
+  visit(copy, printer);
+  std::string out = printer.all();
+  if (scenario.run.events.empty()) return out;
+  std::vector<std::string> events;
+  for (const Event& event : scenario.run.events) events.push_back(to_text(to_value(event)));
+  const auto end_of_run = out.find("\n[", out.find("\n[run]\n") + 2);
+  return out.insert(end_of_run, say("events = ", TomlPrinter::list_text(events), "\n"));
+}
+
+}  // namespace sturnus

@@ -1,0 +1,156 @@
+// Values as files and command lines state them: text to value and back.
+#include <sturnus/parameters.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace sturnus {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::optional<double> number_in(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return number;
+}
+
+bool is_quoted(std::string_view text) {
+  return text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+}
+
+std::string unescaped(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size()) {
+      ++i;
+      out += text[i] == 'n' ? '\n' : text[i] == 't' ? '\t' : text[i];
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+// The items between the brackets of a list; commas inside quotes or inner brackets do not divide.
+std::vector<std::string_view> list_items(std::string_view inside) {
+  std::vector<std::string_view> items;
+  std::size_t begin = 0;
+  int depth = 0;
+  char quote = 0;
+  for (std::size_t i = 0; i <= inside.size(); ++i) {
+    const bool at_end = i == inside.size();
+    if (at_end || (inside[i] == ',' && depth == 0 && quote == 0)) {
+      const auto item = trimmed(inside.substr(begin, i - begin));
+      if (!item.empty()) items.push_back(item);
+      begin = i + 1;
+      continue;
+    }
+    const char c = inside[i];
+    if (quote != 0) {
+      if (c == '\\') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else {
+      depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    }
+  }
+  return items;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr char hex[] = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (c == '\n') {
+      out += "\\n";
+    } else if (c == '\t') {
+      out += "\\t";
+    } else if (code < 0x20 || code == 0x7f) {
+      out += "\\u00";
+      out += hex[code >> 4];
+      out += hex[code & 15];
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+Value parse_value(std::string_view text) {
+  text = trimmed(text);
+  if (text == "true") return {true};
+  if (text == "false") return {false};
+  if (const auto number = number_in(text)) return {*number};
+  if (is_quoted(text)) return {text.front() == '"' ? unescaped(text.substr(1, text.size() - 2))
+                                                   : std::string(text.substr(1, text.size() - 2))};
+  if (text.size() >= 2 && text.front() == '[' && text.back() == ']') {
+    Value::List list;
+    for (const auto item : list_items(text.substr(1, text.size() - 2))) list.push_back(parse_value(item));
+    return {list};
+  }
+  return {std::string(text)};
+}
+
+std::string number_text(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  if (std::isnan(value)) return "nan";
+  char buffer[64];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+std::string to_text(const Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value.held)) return *flag ? "true" : "false";
+  if (const auto* number = std::get_if<double>(&value.held)) return number_text(*number);
+  if (const auto* text = std::get_if<std::string>(&value.held)) return quoted(*text);
+  std::string out = "[";
+  for (const Value& item : std::get<Value::List>(value.held)) {
+    if (out.size() > 1) out += ", ";
+    out += to_text(item);
+  }
+  return out + "]";
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace sturnus

@@ -1,0 +1,57 @@
+// From accelerations to velocities and places: Euler, speed limits, random turn, the edge of the space.
+#include "rules/rules.h"
+#include "step/step.h"
+#include "world/columns.h"
+
+namespace sturnus {
+namespace {
+
+template <int D>
+bool all_sound(const Vec<D>& v) {
+  for (int axis = 0; axis < D; ++axis) {
+    if (!is_sound(v[axis])) return false;
+  }
+  return true;
+}
+
+template <int D>
+void move_boid(const Model& model, State& state, const Scratch& scratch, std::size_t i) {
+  const FlockModel& flock = model.flocks[state.flock[i]];
+  const auto old_position = at<D>(state.position, i);
+  const auto old_velocity = at<D>(state.velocity, i);
+  Vec<D> velocity = old_velocity + at<D>(scratch.acceleration, i) * model.dt;
+  velocity = limited(velocity, flock.min_speed, flock.max_speed);
+  velocity = turned_at_random(velocity, flock.noise_turn, state.id[i], {model.seed, state.step});
+  const bool semi_implicit = model.integrator == Integrator::semi_implicit_euler;
+  Vec<D> position = old_position + (semi_implicit ? velocity : old_velocity) * model.dt;
+  keep_inside(model, position, velocity);
+  if (!all_sound(position) || !all_sound(velocity)) {
+    state.quarantined[i] = 1;
+    position = old_position;
+    velocity = {};
+  }
+  put(state.position, i, position);
+  put(state.velocity, i, velocity);
+}
+
+template <int D>
+void integrate_in(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
+  workers.for_ranges(state.size(), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      put(scratch.previous_position, i, at<D>(state.position, i));
+      put(scratch.previous_velocity, i, at<D>(state.velocity, i));
+      if (state.quarantined[i] == 0) move_boid<D>(model, state, scratch, i);
+    }
+  });
+}
+
+}  // namespace
+
+void integrate(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
+  fit(scratch.previous_position, model.dimensions, state.size());
+  fit(scratch.previous_velocity, model.dimensions, state.size());
+  model.dimensions == 3 ? integrate_in<3>(model, state, scratch, workers)
+                        : integrate_in<2>(model, state, scratch, workers);
+}
+
+}  // namespace sturnus

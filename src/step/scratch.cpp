@@ -1,0 +1,37 @@
+// Working memory of a step.
+#include "step/scratch.h"
+
+#include <cstring>
+
+namespace sturnus {
+namespace {
+
+template <class T>
+void spoil(std::vector<T>& array) {
+  if (!array.empty()) std::memset(static_cast<void*>(array.data()), 0xff, array.size() * sizeof(T));
+}
+
+void spoil(Columns& columns) {
+  for (auto& column : columns) spoil(column);
+}
+
+}  // namespace
+
+void fit(Columns& columns, int axes, std::size_t size) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) columns[axis].resize(size);
+}
+
+void poison(Scratch& scratch) {
+  scratch.index.reset();
+  spoil(scratch.order);
+  spoil(scratch.flock_bit);
+  spoil(scratch.totals);
+  spoil(scratch.sums);
+  for (Columns& columns : scratch.custom) spoil(columns);
+  for (Columns* columns : {&scratch.heading, &scratch.acceleration, &scratch.next_colour,
+                           &scratch.previous_position, &scratch.previous_velocity}) {
+    spoil(*columns);
+  }
+}
+
+}  // namespace sturnus

@@ -1,0 +1,35 @@
+// Working memory of a step: may be thrown away or filled with garbage before any step without changing one bit.
+#pragma once
+
+#include <sturnus/simulation.h>
+
+#include "neighbours/kernel.h"
+
+namespace sturnus {
+
+struct Scratch {
+  std::unique_ptr<NeighbourIndex> index;
+  std::vector<std::uint32_t> order;      ///< where each boid stood before the index sorted them
+  std::vector<std::uint64_t> flock_bit;  ///< 1 << flock, 0 for the quarantined
+  Columns heading;
+  std::vector<Totals> totals;
+  std::vector<NeighbourSum> sums;
+  Columns acceleration;                  ///< with the boundary's turn, before the time step
+  Columns next_colour;
+  std::vector<Columns> custom;           ///< what each user rule asks for
+  Columns previous_position, previous_velocity;  ///< before the last step, for observers
+};
+
+/// What acts on a step besides the model: rules of the user's own, accelerations from outside.
+struct Outside {
+  std::vector<Rule> rules;
+  Columns external;  ///< empty, or one value for each boid in the order before the step
+};
+
+/// Makes the columns of as many axes hold `size` values.
+void fit(Columns& columns, int axes, std::size_t size);
+
+/// Fills every array with bytes 0xFF and forgets the index.
+void poison(Scratch& scratch);
+
+}  // namespace sturnus

@@ -1,0 +1,273 @@
+// Simulation: the four objects of a run, its commands and their log.
+#include <sturnus/simulation.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text.h"
+#include "scenario/events.h"
+#include "step/step.h"
+#include "world/commands.h"
+#include "world/spawn.h"
+#include "world/state.h"
+
+namespace sturnus {
+namespace {
+
+struct Logged {
+  Event event;
+  bool by_hand = false;
+};
+
+constexpr const char* external_name = "external";
+
+}  // namespace
+
+struct Snapshot::Data {
+  ScenarioDef scenario;
+  State state;
+  std::vector<Logged> log;
+  std::size_t done = 0;
+  StepReport report;
+};
+
+std::uint64_t Snapshot::step() const { return data_ ? data_->state.step : 0; }
+
+Accelerations::Accelerations(Columns& columns, std::size_t slots) : columns_(&columns), size_(slots) {}
+
+void Accelerations::add(std::size_t slot, float x, float y, float z) {
+  const std::array<float, 3> given = {x, y, z};
+  for (std::size_t axis = 0; axis < 3 && !(*columns_)[axis].empty(); ++axis) (*columns_)[axis][slot] += given[axis];
+}
+
+struct Simulation::World {
+  ScenarioDef initial;  ///< as it began, without events
+  ScenarioDef scenario; ///< as it stands
+  Model model;          ///< as compiled, with the user's rules among its terms
+  State state;
+  Scratch scratch;
+  Workers workers;
+  Outside outside;
+  std::vector<std::pair<std::string, std::int64_t>> rules;  ///< names and priorities
+  std::vector<Logged> log;                                  ///< all events, in order of their steps
+  std::size_t done = 0;                                     ///< how many of them are carried out
+  StepReport report;
+
+  explicit World(const ScenarioDef& def, int threads) : initial(def), scenario(def), model(compile(def)), workers(threads) {
+    for (const Event& event : def.run.events) log.push_back({event, false});
+    initial.run.events.clear();
+    scenario.run.events.clear();
+    rules.emplace_back(external_name, 0);
+    add_custom_terms();
+  }
+
+  void add_custom_terms() {
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      TermModel term;
+      term.kind = TermKind::custom;
+      term.row = static_cast<int>(i);
+      term.priority = rules[i].second;
+      term.order = std::numeric_limits<int>::max();
+      add_term(model, term);
+    }
+  }
+
+  void carry_out(const Command& command) {
+    const bool changes_model = std::holds_alternative<SetParameter>(command);
+    if (!apply(command, scenario, model, state)) ++report.commands_in_vain;
+    if (changes_model) add_custom_terms();
+  }
+
+  // Does every logged event whose step has come.
+  void do_events() {
+    for (; done < log.size() && log[done].event.step <= state.step; ++done) carry_out(log[done].event.command);
+  }
+
+  // A state that was saved has its boids already; parameters and the pointer are set again.
+  void do_past_settings() {
+    for (; done < log.size() && log[done].event.step <= state.step; ++done) {
+      const Command& command = log[done].event.command;
+      const bool again = std::holds_alternative<SetParameter>(command) || std::holds_alternative<MovePointer>(command);
+      if (again) carry_out(command);
+    }
+  }
+
+  void record(const Command& command) {
+    const auto is_later_by_hand = [](const Logged& logged) { return logged.by_hand; };
+    log.erase(std::remove_if(log.begin() + static_cast<std::ptrdiff_t>(done), log.end(), is_later_by_hand), log.end());
+    log.insert(log.begin() + static_cast<std::ptrdiff_t>(done), {{state.step, command}, true});
+    ++done;
+  }
+};
+
+namespace {
+
+const State* table_of(const SimulationOptions& options, const ScenarioDef& scenario, const std::string& file,
+                      const std::string& key, Problems& problems) {
+  const auto found = options.tables.find(file);
+  if (found == options.tables.end()) {
+    problems.push_back({scenario.file, 0, key, say("the boids of \"", file, "\" were not read"), false});
+    return nullptr;
+  }
+  if (found->second.dimensions != scenario.space.dimensions) {
+    problems.push_back({scenario.file, 0, key,
+                        say("\"", file, "\" holds boids in ", found->second.dimensions, " dimensions, but the space has ",
+                            scenario.space.dimensions), false});
+    return nullptr;
+  }
+  for (const std::uint8_t flock : found->second.flock) {
+    if (flock < scenario.flocks.size()) continue;
+    problems.push_back({scenario.file, 0, key,
+                        say("\"", file, "\" holds a boid of flock ", int{flock}, ", but there are only ", scenario.flocks.size(),
+                            " flocks, numbered from 0"), false});
+    return nullptr;
+  }
+  return &found->second;
+}
+
+void check_memory(const ScenarioDef& scenario, Problems& problems) {
+  const auto boids = static_cast<double>(scenario.boid_count());
+  if (bytes_needed(boids) <= 0.9 * bytes_available()) return;
+  const auto gigabytes = [](double bytes) { return static_cast<std::int64_t>(bytes / 1e9 + 0.5); };
+  problems.push_back({scenario.file, 0, "flock.count",
+                      say(scenario.boid_count(), " boids need about ", gigabytes(bytes_needed(boids)),
+                          " GB of memory, but this machine has ", gigabytes(bytes_available()), " GB"), false});
+}
+
+}  // namespace
+
+Simulation::Simulation(std::unique_ptr<World> world) : world_(std::move(world)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+Result<Simulation> Simulation::create(const ScenarioDef& scenario, const SimulationOptions& options) {
+  Problems problems = check(scenario);
+  if (has_errors(problems)) return problems;
+  problems.clear();
+  const Run& run = scenario.run;
+  const State* all = run.initial.empty() ? nullptr : table_of(options, scenario, run.initial, "run.initial", problems);
+  if (run.initial.empty()) check_memory(scenario, problems);
+  if (!problems.empty()) return problems;
+
+  auto world = std::make_unique<World>(scenario, options.threads);
+  world->state.dimensions = world->model.dimensions;
+  world->state.step = static_cast<std::uint64_t>(run.first_step);
+  if (all != nullptr) append_boids(scenario, world->model, *all, -1, world->state);
+  for (std::size_t i = 0; all == nullptr && i < scenario.flocks.size(); ++i) {
+    const std::string& file = scenario.flocks[i].start.file;
+    if (file.empty()) {
+      spawn_flock(scenario, world->model, i, world->state);
+    } else if (const State* some = table_of(options, scenario, file, say("flock.", scenario.flocks[i].name, ".start.file"), problems)) {
+      append_boids(scenario, world->model, *some, static_cast<int>(i), world->state);
+    }
+  }
+  if (!problems.empty()) return problems;
+  wrap_positions(world->model, world->state);
+  if (all != nullptr) world->do_past_settings();
+  world->do_events();
+  return Simulation(std::move(world));
+}
+
+void Simulation::step() {
+  World& world = *world_;
+  sturnus::step(world.model, world.scenario, world.state, world.scratch, world.outside, world.workers);
+  world.outside.external = {};
+  world.do_events();
+}
+
+void Simulation::run(std::uint64_t steps) {
+  for (std::uint64_t i = 0; i < steps; ++i) step();
+}
+
+Status Simulation::push(const Command& command) {
+  World& world = *world_;
+  if (const auto error = check_command(world.scenario, command)) {
+    return Problem{world.scenario.file, 0, "", *error, false};
+  }
+  const auto* move = std::get_if<MoveBoid>(&command);
+  if (move != nullptr && !view().slot(move->id)) {
+    return Problem{world.scenario.file, 0, "", say("there is no boid with id ", move->id), false};
+  }
+  world.record(command);
+  world.carry_out(command);
+  return {};
+}
+
+View Simulation::view() const {
+  return {world_->state, world_->scenario, world_->scratch.previous_position, world_->scratch.previous_velocity};
+}
+
+std::uint64_t Simulation::hash() const { return sturnus::hash(world_->state); }
+std::uint64_t Simulation::step_number() const { return world_->state.step; }
+const ScenarioDef& Simulation::scenario() const { return world_->scenario; }
+
+StepReport Simulation::report() const {
+  StepReport report = world_->report;
+  for (const std::uint8_t flag : world_->state.quarantined) report.quarantined += flag;
+  return report;
+}
+
+ScenarioDef Simulation::recording() const {
+  ScenarioDef out = world_->initial;
+  for (const Logged& logged : world_->log) out.run.events.push_back(logged.event);
+  return out;
+}
+
+Snapshot Simulation::snapshot() const {
+  Snapshot out;
+  out.data_ = std::make_shared<Snapshot::Data>(
+      Snapshot::Data{world_->scenario, world_->state, world_->log, world_->done, world_->report});
+  return out;
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+  World& world = *world_;
+  const Snapshot::Data& data = *snapshot.data_;
+  // What came later by hand is kept for replay as long as the past that it followed is the same.
+  std::vector<Logged> later(world.log.begin() + static_cast<std::ptrdiff_t>(std::min(data.done, world.log.size())),
+                            world.log.end());
+  std::erase_if(later, [&](const Logged& logged) { return logged.event.step < data.state.step; });
+  world.scenario = data.scenario;
+  world.model = compile(world.scenario);
+  world.add_custom_terms();
+  world.state = data.state;
+  world.report = data.report;
+  world.log.assign(data.log.begin(), data.log.begin() + static_cast<std::ptrdiff_t>(data.done));
+  world.done = world.log.size();
+  world.log.insert(world.log.end(), later.begin(), later.end());
+  world.scratch.previous_position = {};
+  world.scratch.previous_velocity = {};
+  world.outside.external = {};
+}
+
+void Simulation::add_rule(std::string name, std::int64_t priority, Rule rule) {
+  World& world = *world_;
+  world.rules.emplace_back(std::move(name), priority);
+  world.outside.rules.push_back(std::move(rule));
+  world.model = compile(world.scenario);
+  world.add_custom_terms();
+}
+
+Accelerations Simulation::external() {
+  fit(world_->outside.external, world_->model.dimensions, world_->state.size());
+  return {world_->outside.external, world_->state.size()};
+}
+
+std::vector<std::array<std::array<float, 3>, 2>> Simulation::index_boxes() const {
+  const World& world = *world_;
+  std::vector<std::array<std::array<float, 3>, 2>> out;
+  if (!(world.model.reach > 0) || world.state.size() == 0) return out;
+  const Cloud cloud = cloud_of(world.model, world.state);
+  std::vector<std::uint32_t> order;
+  std::vector<IndexBox> boxes;
+  const auto index = make_index(world.model.index, cloud, world.model.reach);
+  index->build(cloud, world.model.reach, world.workers, order);
+  index->boxes(boxes);
+  for (const IndexBox& box : boxes) out.push_back({box.min, box.max});
+  return out;
+}
+
+void Simulation::poison_scratch() { poison(world_->scratch); }
+
+}  // namespace sturnus

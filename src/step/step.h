@@ -1,0 +1,32 @@
+// One step of a flock, and the phases that it is made of.
+#pragma once
+
+#include "scenario/model.h"
+#include "step/scratch.h"
+
+namespace sturnus {
+
+/// Moves the state on by one time step.
+void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch, const Outside& outside,
+          const Workers& workers);
+
+/// Puts boids with values that are not finite or beyond 1e15 out of play: at rest, where they last were well.
+void quarantine(const Model& model, State& state);
+/// A coordinate that a step may compute with.
+bool is_sound(float value);
+
+/// The places of the boids, as an index needs them. Hidden are those in quarantine.
+Cloud cloud_of(const Model& model, const State& state);
+/// How the model's space wraps.
+Image image_of(const Model& model);
+
+/// Sorts the state by place.
+void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers);
+
+/// Own terms and arbitration: from sums to accelerations, and the next colours.
+void combine(const Model& model, State& state, Scratch& scratch, const Workers& workers);
+
+/// Velocity, limits, place, boundary. Boids that would go bad stay and are put out of play.
+void integrate(const Model& model, State& state, Scratch& scratch, const Workers& workers);
+
+}  // namespace sturnus

@@ -1,0 +1,22 @@
+// One boid's vector in arrays of coordinates.
+#pragma once
+
+#include <sturnus/view.h>
+
+#include "base/vec.h"
+
+namespace sturnus {
+
+template <int D>
+Vec<D> at(const Columns& columns, std::size_t i) {
+  Vec<D> v;
+  for (int axis = 0; axis < D; ++axis) v[axis] = columns[static_cast<std::size_t>(axis)][i];
+  return v;
+}
+
+template <int D>
+void put(Columns& columns, std::size_t i, const Vec<D>& v) {
+  for (int axis = 0; axis < D; ++axis) columns[static_cast<std::size_t>(axis)][i] = v[axis];
+}
+
+}  // namespace sturnus

@@ -1,0 +1,190 @@
+// New boids, placed and set in motion by counter-based random numbers.
+#include "world/spawn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "base/random.h"
+#include "world/columns.h"
+#include "world/state.h"
+
+namespace sturnus {
+namespace {
+
+template <int D>
+Vec<D> vec_of(const Coordinates& at, const std::array<float, 3>& otherwise) {
+  Vec<D> v;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    v[axis] = at.empty() ? otherwise[i] : static_cast<float>(at[i]);
+  }
+  return v;
+}
+
+std::array<float, 3> middle(const Model& model) {
+  std::array<float, 3> out{};
+  for (std::size_t axis = 0; axis < 3; ++axis) out[axis] = model.min[axis] + 0.5f * model.size[axis];
+  return out;
+}
+
+template <int D>
+Vec<D> in_box(const Vec<D>& min, const Vec<D>& max, Draws& draws) {
+  Vec<D> at;
+  for (int axis = 0; axis < D; ++axis) at[axis] = draws.between(min[axis], max[axis]);
+  return at;
+}
+
+// In the ball, or outside its inner radius, by rejection; a ring without width is drawn on its circle.
+template <int D>
+Vec<D> in_ring(const Vec<D>& centre, float inner, float outer, Draws& draws) {
+  if (inner >= outer) return centre + draws.direction<D>() * outer;
+  for (;;) {
+    const Vec<D> offset = draws.in_ball<D>() * outer;
+    if (dot(offset, offset) >= inner * inner) return centre + offset;
+  }
+}
+
+template <int D>
+Vec<D> start_position(const Start& start, const Model& model, Draws& draws) {
+  const auto centre = vec_of<D>(start.centre, middle(model));
+  const auto radius = static_cast<float>(start.radius);
+  switch (start.region) {
+    case StartRegion::space: return in_box(vec_of<D>({}, model.min), vec_of<D>({}, model.max), draws);
+    case StartRegion::box: return in_box(vec_of<D>(start.min, {}), vec_of<D>(start.max, {}), draws);
+    case StartRegion::ball: return in_ring(centre, 0, radius, draws);
+    case StartRegion::ring: return in_ring(centre, static_cast<float>(start.inner), radius, draws);
+  }
+  return centre;
+}
+
+template <int D>
+Vec<D> start_velocity(const Start& start, Draws& draws) {
+  const float speed = draws.between(static_cast<float>(start.min_speed), static_cast<float>(start.max_speed));
+  const Vec<D> given = vec_of<D>(start.heading, {});
+  return (start.heading.empty() ? draws.direction<D>() : unit(given)) * speed;
+}
+
+template <int D>
+void push(Columns& columns, const Vec<D>& v) {
+  for (int axis = 0; axis < D; ++axis) columns[static_cast<std::size_t>(axis)].push_back(v[axis]);
+}
+
+// The colours a flock takes when it names none; safe for colour-blind eyes (Okabe and Ito).
+constexpr std::array<const char*, 6> palette = {"#56b4e9", "#e69f00", "#009e73", "#f0e442", "#cc79a7", "#0072b2"};
+
+Vec<3> start_colour(const Colour& colour, std::size_t flock, Draws& draws) {
+  if (colour.start == "random") {
+    Vec<3> v;
+    for (int axis = 0; axis < 3; ++axis) v[axis] = draws.uniform();
+    return v;
+  }
+  const auto rgb = colour_of_hex(colour.start.empty() ? palette[flock % palette.size()] : colour.start);
+  return Vec<3>{rgb};
+}
+
+// What a boid has besides place and velocity, where the state keeps it at all.
+template <int D>
+void push_sides(const ScenarioDef& scenario, const Model& model, std::size_t flock, std::uint64_t id, State& state) {
+  if (model.uses_wander) {
+    Draws draws(model.seed, state.step, id, Stream::start_wander);
+    push(state.wander, draws.direction<D>());
+  }
+  if (model.uses_colour) {
+    Draws draws(model.seed, state.step, id, Stream::start_colour);
+    push(state.colour, start_colour(scenario.flocks[flock].colour, flock, draws));
+  }
+}
+
+template <int D>
+void push_boid(const ScenarioDef& scenario, const Model& model, std::size_t flock, std::uint64_t id,
+               const Vec<D>& position, const Vec<D>& velocity, State& state) {
+  state.id.push_back(id);
+  state.flock.push_back(static_cast<std::uint8_t>(flock));
+  state.quarantined.push_back(0);
+  push(state.position, position);
+  push(state.velocity, velocity);
+  push_sides<D>(scenario, model, flock, id, state);
+}
+
+void reserve(State& state, std::size_t size) {
+  for_each_array(state, [size](auto& array) { array.reserve(size); });
+}
+
+template <int D>
+void spawn_flock_in(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state) {
+  const FlockDef& def = scenario.flocks[flock];
+  reserve(state, state.size() + static_cast<std::size_t>(def.count));
+  for (std::int64_t i = 0; i < def.count; ++i) {
+    const std::uint64_t id = state.next_id++;
+    Draws position_draws(model.seed, state.step, id, Stream::start_position);
+    Draws velocity_draws(model.seed, state.step, id, Stream::start_velocity);
+    const auto position = start_position<D>(def.start, model, position_draws);
+    push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(def.start, velocity_draws), state);
+  }
+}
+
+template <int D>
+void spawn_around_in(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
+  std::size_t flock = 0;
+  while (scenario.flocks[flock].name != add.flock) ++flock;
+  const FlockDef& def = scenario.flocks[flock];
+  for (std::int64_t i = 0; i < add.count; ++i) {
+    const std::uint64_t id = state.next_id++;
+    Draws position_draws(model.seed, state.step, id, Stream::start_position);
+    Draws velocity_draws(model.seed, state.step, id, Stream::start_velocity);
+    const auto offset = position_draws.in_ball<D>() * static_cast<float>(add.radius);
+    push_boid<D>(scenario, model, flock, id, vec_of<D>(add.at, {}) + offset,
+                 start_velocity<D>(def.start, velocity_draws), state);
+  }
+}
+
+void copy_back(Columns& to, const Columns& from, std::size_t i) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!from[axis].empty() && !to[axis].empty()) to[axis].back() = from[axis][i];
+  }
+}
+
+template <int D>
+void append_boids_in(const ScenarioDef& scenario, const Model& model, const State& from, int flock, State& state) {
+  std::unordered_set<std::uint64_t> taken(state.id.begin(), state.id.end());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (flock >= 0 && from.flock[i] != flock) continue;
+    std::uint64_t id = from.id[i];
+    if (!taken.insert(id).second) {
+      id = state.next_id;
+      taken.insert(id);
+    }
+    state.next_id = std::max(state.next_id, id + 1);
+    push_boid<D>(scenario, model, from.flock[i], id, at<D>(from.position, i), at<D>(from.velocity, i), state);
+    state.quarantined.back() = from.quarantined[i];
+    copy_back(state.wander, from.wander, i);
+    copy_back(state.colour, from.colour, i);
+  }
+}
+
+}  // namespace
+
+void spawn_flock(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state) {
+  model.dimensions == 3 ? spawn_flock_in<3>(scenario, model, flock, state)
+                        : spawn_flock_in<2>(scenario, model, flock, state);
+}
+
+void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
+  model.dimensions == 3 ? spawn_around_in<3>(scenario, model, add, state)
+                        : spawn_around_in<2>(scenario, model, add, state);
+}
+
+void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock, State& state) {
+  model.dimensions == 3 ? append_boids_in<3>(scenario, model, from, flock, state)
+                        : append_boids_in<2>(scenario, model, from, flock, state);
+}
+
+void wrap_positions(const Model& model, State& state) {
+  if (!model.wraps()) return;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimensions); ++axis) {
+    for (float& coordinate : state.position[axis]) coordinate = wrapped(coordinate, model.min[axis], model.max[axis]);
+  }
+}
+
+}  // namespace sturnus

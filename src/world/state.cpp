@@ -1,0 +1,96 @@
+// Work on whole states: hash, order, removal.
+#include "world/state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#if defined(__unix__)
+#include <unistd.h>
+#endif
+
+#include "base/hash.h"
+
+namespace sturnus {
+namespace {
+
+template <class T>
+void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
+  if (array.empty() || order.empty()) return;
+  std::vector<T> moved(array.size());
+  for (std::size_t i = 0; i < order.size(); ++i) moved[i] = array[order[i]];
+  array.swap(moved);
+}
+
+}  // namespace
+
+std::uint64_t hash(const State& state) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    std::uint64_t boid = mix(state.id[i] + 1);
+    boid = fold(boid, state.flock[i]);
+    boid = fold(boid, state.quarantined[i]);
+    for (const Columns* columns : {&state.position, &state.velocity, &state.wander, &state.colour}) {
+      for (const auto& column : *columns) {
+        if (!column.empty()) boid = fold(boid, bits_of(column[i]));
+      }
+    }
+    sum += boid;
+  }
+  std::uint64_t rest = fold(fold(state.step, state.next_id), static_cast<std::uint64_t>(state.dimensions));
+  rest = fold(rest, static_cast<std::uint64_t>(state.pointer.mode) * 2 + (state.pointer.pressed ? 1 : 0));
+  for (const float coordinate : state.pointer.at) rest = fold(rest, bits_of(coordinate));
+  return sum + rest;
+}
+
+void reorder(State& state, const std::vector<std::uint32_t>& order) {
+  for_each_array(state, [&](auto& array) { permute(array, order); });
+}
+
+void reorder(Columns& columns, const std::vector<std::uint32_t>& order) {
+  for (auto& column : columns) permute(column, order);
+}
+
+void keep(State& state, const std::vector<std::uint8_t>& marks) {
+  for_each_array(state, [&](auto& array) {
+    if (array.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      if (marks[i] != 0) array[kept++] = array[i];
+    }
+    array.resize(kept);
+  });
+}
+
+float wrapped(float coordinate, float min, float max) {
+  if (coordinate >= min && coordinate < max) return coordinate;
+  const float size = max - min;
+  const float turned = coordinate - size * std::floor((coordinate - min) / size);
+  return turned >= min && turned < max ? turned : min;
+}
+
+double bytes_needed(double boids) { return boids * 260.0; }
+
+double bytes_available() {
+#if defined(__unix__)
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+#else
+  return 4e9;
+#endif
+}
+
+std::optional<std::size_t> View::slot(std::uint64_t id) const {
+  const auto found = std::find(state_->id.begin(), state_->id.end(), id);
+  if (found == state_->id.end()) return {};
+  return static_cast<std::size_t>(found - state_->id.begin());
+}
+
+std::vector<std::uint32_t> View::slots_by_id() const {
+  std::vector<std::uint32_t> slots(size());
+  std::iota(slots.begin(), slots.end(), 0u);
+  std::sort(slots.begin(), slots.end(),
+            [this](std::uint32_t a, std::uint32_t b) { return state_->id[a] < state_->id[b]; });
+  return slots;
+}
+
+}  // namespace sturnus

@@ -1,0 +1,39 @@
+// Work on whole states: every array at once, the hash, the order of storage.
+#pragma once
+
+#include <sturnus/view.h>
+
+namespace sturnus {
+
+/// Calls f(array) for every per-boid array, of whatever type.
+template <class AnyState, class F>
+void for_each_array(AnyState& state, F&& f) {
+  f(state.id);
+  f(state.flock);
+  f(state.quarantined);
+  for (auto* columns : {&state.position, &state.velocity, &state.wander, &state.colour}) {
+    for (auto& column : *columns) f(column);
+  }
+}
+
+/// Wrapped sum over all boids of a mix of their values, plus the rest: covers every array and does not depend on
+/// the order of storage.
+std::uint64_t hash(const State& state);
+
+/// Puts boid order[i] at place i. `order` is a permutation, or empty for "as it is".
+void reorder(State& state, const std::vector<std::uint32_t>& order);
+/// The same for arrays beside the state; empty ones stay empty.
+void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
+
+/// Keeps the boids whose mark is not 0, in their order.
+void keep(State& state, const std::vector<std::uint8_t>& marks);
+
+
+/// Wraps a coordinate into [min, max) of a space of that size by floored modulo; exactly max becomes min.
+float wrapped(float coordinate, float min, float max);
+
+/// Bytes that a run of that many boids needs, and bytes that the machine has to give.
+double bytes_needed(double boids);
+double bytes_available();
+
+}  // namespace sturnus
