@@ -1,6 +1,6 @@
 # Writes a C++ file that holds the text of every scenario under SCENARIOS.
 # Usage: cmake -DSCENARIOS=dir -DOUTPUT=file.cpp -P embed_scenarios.cmake
-file(GLOB files RELATIVE ${SCENARIOS} CONFIGURE_DEPENDS ${SCENARIOS}/*/*.toml)
+file(GLOB files RELATIVE ${SCENARIOS} ${SCENARIOS}/*/*.toml)
 list(SORT files)
 set(rows "")
 foreach(group courses gallery steering bench)

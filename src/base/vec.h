@@ -50,4 +50,18 @@ Vec<D, T> unit(const Vec<D, T>& v) {
   return size > T(0) ? v * (T(1) / size) : Vec<D, T>{};
 }
 
+/// Between three-component arrays, as the public headers have them, and vectors; z is 0 in two dimensions.
+template <int D>
+Vec<D> narrow_to(const std::array<float, 3>& v) {
+  Vec<D> out;
+  for (int axis = 0; axis < D; ++axis) out[axis] = v[static_cast<std::size_t>(axis)];
+  return out;
+}
+template <int D>
+std::array<float, 3> widened(const Vec<D>& v) {
+  std::array<float, 3> out{};
+  for (int axis = 0; axis < D; ++axis) out[static_cast<std::size_t>(axis)] = v[axis];
+  return out;
+}
+
 }  // namespace sturnus

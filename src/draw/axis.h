@@ -15,7 +15,8 @@ struct Axis {
   /// The ticks inside the range, in rising order.
   std::vector<double> ticks() const;
 
-  /// A tick as it is written beside the axis: all ticks of an axis with the same decimals and the same k, M or G.
+  /// A tick as it is written beside the axis: all ticks of an axis with the same decimals and the same k, M
+  /// or G.
   std::string text(double tick) const;
 };
 

@@ -10,9 +10,13 @@ namespace {
 constexpr float degree = 0.017453292519943295f;
 constexpr float free_border = 0.06f;  // part of half the picture that a fitted box leaves free
 
-float half_slope(float field_of_view) { return std::tan(std::clamp(field_of_view, 1.0f, 170.0f) * 0.5f * degree); }
+float half_slope(float field_of_view) {
+  return std::tan(std::clamp(field_of_view, 1.0f, 170.0f) * 0.5f * degree);
+}
 
-bool is_finite(const Vec<3>& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+bool is_finite(const Vec<3>& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
 
 int smallest_axis(const Vec<3>& v) {
   int axis = 0;
@@ -38,8 +42,9 @@ Vec<3> corner(const Vec<3>& low, const Vec<3>& high, int index) {
            (index & 4) != 0 ? high[2] : low[2]}};
 }
 
-// How near the eye may come along one axis of the picture. A point at x (in units of the slope) and z towards the
-// eye is inside when |x - shift| <= distance - z: for the two extremes, that is the crossing of two straight lines.
+// How near the eye may come along one axis of the picture. A point at x (in units of the slope) and z towards
+// the eye is inside when |x - shift| <= distance - z: for the two extremes, that is the crossing of two
+// straight lines.
 struct Fit {
   float positive = -1e30f;  // largest z + x
   float negative = -1e30f;  // largest z - x
@@ -84,8 +89,8 @@ Viewpoint look_at(const Vec<3>& eye, const Vec<3>& target, const Vec<3>& up, flo
   return viewpoint;
 }
 
-Viewpoint fit_box(const Vec<3>& low, const Vec<3>& high, const Vec<3>& towards_eye, const Vec<3>& up, float aspect,
-                  float field_of_view) {
+Viewpoint fit_box(const Vec<3>& low, const Vec<3>& high, const Vec<3>& towards_eye, const Vec<3>& up,
+                  float aspect, float field_of_view) {
   const Vec<3> centre = (low + high) * 0.5f;
   const Vec<3> back = unit(towards_eye);
   const Basis axes = view_axes(back * -1.0f, up);
@@ -130,15 +135,16 @@ Projection::Projection(const Viewpoint& viewpoint, Size size) : viewpoint_(viewp
   const Vec<3> extent = viewpoint.high - viewpoint.low;
   const float free_x = std::max(1.0f, static_cast<float>(size.width) - 2 * viewpoint.margin);
   const float free_y = std::max(1.0f, static_cast<float>(size.height) - 2 * viewpoint.margin);
-  const float scale = std::min(extent[0] > 0 ? free_x / extent[0] : 1e30f, extent[1] > 0 ? free_y / extent[1] : 1e30f);
+  const float scale =
+      std::min(extent[0] > 0 ? free_x / extent[0] : 1e30f, extent[1] > 0 ? free_y / extent[1] : 1e30f);
   scale_ = scale < 1e30f ? scale : 1.0f;
 }
 
 Projected Projection::project(const Vec<3>& point) const {
   if (!is_finite(point)) return {};
   if (!viewpoint_.in_space) {
-    return {centre_x_ + (point[0] - middle_[0]) * scale_, centre_y_ - (point[1] - middle_[1]) * scale_, 0, scale_,
-            true};
+    return {centre_x_ + (point[0] - middle_[0]) * scale_, centre_y_ - (point[1] - middle_[1]) * scale_, 0,
+            scale_, true};
   }
   const Vec<3> offset = point - viewpoint_.eye;
   const float depth = dot(offset, forward_);

@@ -19,7 +19,7 @@ struct Viewpoint {
   Vec<3> up{{0, 1, 0}};      ///< space: what points up in the picture, any length
   float field_of_view = 40;  ///< space: full vertical angle, degrees, between 0 and 180
   float fade_from = 0;       ///< space: distance along the view where fading begins, world
-  float fade_to = 0;         ///< space: distance where it is complete, world; no fading unless above fade_from
+  float fade_to = 0;  ///< space: distance where it is complete, world; no fading unless above fade_from
 };
 
 /// The rectangle from low to high, as large as fits with a margin in pixels; y points up.
@@ -30,8 +30,8 @@ Viewpoint look_at(const Vec<3>& eye, const Vec<3>& target, const Vec<3>& up, flo
 
 /// A view of the whole box from the side that `towards_eye` points to, as near as all corners allow.
 /// `aspect` is the picture's width over its height; fading runs through the box.
-Viewpoint fit_box(const Vec<3>& low, const Vec<3>& high, const Vec<3>& towards_eye, const Vec<3>& up, float aspect,
-               float field_of_view = 40);
+Viewpoint fit_box(const Vec<3>& low, const Vec<3>& high, const Vec<3>& towards_eye, const Vec<3>& up,
+                  float aspect, float field_of_view = 40);
 
 /// The same from above the right front corner, with y up.
 Viewpoint three_quarter_view(const Vec<3>& low, const Vec<3>& high, float aspect, float field_of_view = 32);
@@ -48,11 +48,12 @@ Basis basis_along(const Vec<3>& along);
 
 /// A place in the picture.
 struct Projected {
-  float x = 0;         ///< pixels from the left edge
-  float y = 0;         ///< pixels from the top edge
-  float depth = 0;     ///< distance along the view, world; 0 in flat pictures
-  float scale = 0;     ///< pixels for one world length there
-  bool in_front = false;  ///< false behind the viewer or where a coordinate is no number; then nothing else holds
+  float x = 0;      ///< pixels from the left edge
+  float y = 0;      ///< pixels from the top edge
+  float depth = 0;  ///< distance along the view, world; 0 in flat pictures
+  float scale = 0;  ///< pixels for one world length there
+  bool in_front =
+      false;  ///< false behind the viewer or where a coordinate is no number; then nothing else holds
 };
 
 /// A viewpoint made ready for one size of picture.

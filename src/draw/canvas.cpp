@@ -18,7 +18,8 @@ void Canvas::text(std::string_view text, float x, float y, float size, Rgba colo
   const float whole = std::floor(start);
   // Baselines sit on whole pixels: the feet of the letters stay sharp.
   const float baseline = std::floor(y + 0.5f * capital_height(size) + 0.5f);
-  texts_.push_back({text_ink(text, size, start - whole), static_cast<int>(whole), static_cast<int>(baseline), colour});
+  texts_.push_back(
+      {text_ink(text, size, start - whole), static_cast<int>(whole), static_cast<int>(baseline), colour});
 }
 
 }  // namespace sturnus

@@ -40,7 +40,7 @@ struct BallShape {
 /// An arrowhead in the plane of the picture, with its own smooth edges.
 struct DartShape {
   Spot at;
-  float forward_x = 1;   ///< unit vector towards the nose, pixels
+  float forward_x = 1;  ///< unit vector towards the nose, pixels
   float forward_y = 0;
   float nose = 4;        ///< from `at` to the nose, pixels
   float tail = 4;        ///< from `at` back to the wing tips, pixels
@@ -57,12 +57,12 @@ struct DiscShape {
   Rgba colour;
 };
 
-/// A line; opaque ones have round ends, so that corners close; transparent ones end square, so that the pieces
-/// of a trail meet without a darker joint.
+/// A line; opaque ones have round ends, so that corners close; transparent ones end square, so that the
+/// pieces of a trail meet without a darker joint.
 struct LineShape {
   Spot from, to;
-  float width = 1;     ///< pixels
-  Rgba colour;         ///< its opacity is not used
+  float width = 1;  ///< pixels
+  Rgba colour;      ///< its opacity is not used
   float alpha_from = 1;
   float alpha_to = 1;
 };

@@ -37,12 +37,13 @@ void add_segment(const Drawing& d, const Segment& segment) {
   if (!a.in_front || !b.in_front) return;
   const float opacity = static_cast<float>(segment.colour.a) / 255.0f;
   const float middle_depth = 0.5f * (a.depth + b.depth);
-  d.canvas.add(LineShape{{a.x, a.y, nearness_of(a, segment.layer)},
-                         {b.x, b.y, nearness_of(b, segment.layer)},
-                         segment.width,
-                         segment.layer == Layer::above ? segment.colour : faded(d, segment.colour, middle_depth),
-                         std::clamp(segment.alpha_from, 0.0f, 1.0f) * opacity,
-                         std::clamp(segment.alpha_to, 0.0f, 1.0f) * opacity});
+  d.canvas.add(
+      LineShape{{a.x, a.y, nearness_of(a, segment.layer)},
+                {b.x, b.y, nearness_of(b, segment.layer)},
+                segment.width,
+                segment.layer == Layer::above ? segment.colour : faded(d, segment.colour, middle_depth),
+                std::clamp(segment.alpha_from, 0.0f, 1.0f) * opacity,
+                std::clamp(segment.alpha_to, 0.0f, 1.0f) * opacity});
 }
 
 void add_ring(const Drawing& d, const Ring& ring) {
@@ -60,12 +61,19 @@ void add_flat_box(const Drawing& d, const Box& box) {
   const Projected low = d.projection.project(box.low);
   const Projected high = d.projection.project(box.high);
   if (!low.in_front || !high.in_front) return;
-  if (box.fill.a > 0) d.canvas.add(BarShape{low.x, high.y, high.x, low.y, 0, box.fill});
+  // Cut well outside the picture: the rasteriser leaves out what is too large for it.
+  const float far_x = static_cast<float>(d.size.width) + 100;
+  const float far_y = static_cast<float>(d.size.height) + 100;
+  const float left = std::clamp(low.x, -100.0f, far_x);
+  const float right = std::clamp(high.x, -100.0f, far_x);
+  const float top = std::clamp(high.y, -100.0f, far_y);
+  const float bottom = std::clamp(low.y, -100.0f, far_y);
+  if (box.fill.a > 0) d.canvas.add(BarShape{left, top, right, bottom, 0, box.fill});
   if (!(box.width > 0)) return;
-  d.canvas.line(low.x, low.y, high.x, low.y, box.width, box.colour);
-  d.canvas.line(high.x, low.y, high.x, high.y, box.width, box.colour);
-  d.canvas.line(high.x, high.y, low.x, high.y, box.width, box.colour);
-  d.canvas.line(low.x, high.y, low.x, low.y, box.width, box.colour);
+  d.canvas.line(left, bottom, right, bottom, box.width, box.colour);
+  d.canvas.line(right, bottom, right, top, box.width, box.colour);
+  d.canvas.line(right, top, left, top, box.width, box.colour);
+  d.canvas.line(left, top, left, bottom, box.width, box.colour);
 }
 
 // An edge in many pieces, because each takes the colour of its depth.
@@ -138,9 +146,12 @@ void add_label(const Drawing& d, const Label& label) {
   y += label.offset_y;
   if (label.plate && has_font() && !label.text.empty()) {
     const float width = text_width(label.text, label.size);
-    const float left = label.align == Align::left ? x : label.align == Align::right ? x - width : x - 0.5f * width;
+    const float left = label.align == Align::left    ? x
+                       : label.align == Align::right ? x - width
+                                                     : x - 0.5f * width;
     const float tall = 0.78f * label.size;
-    d.canvas.add(BarShape{left - 8, y - tall, left + width + 8, y + tall, 6, with_alpha(d.theme.background, 0.72f)});
+    d.canvas.add(
+        BarShape{left - 8, y - tall, left + width + 8, y + tall, 6, with_alpha(d.theme.background, 0.72f)});
   }
   d.canvas.text(label.text, x, y, label.size, label.colour, label.align);
 }
@@ -160,8 +171,8 @@ void add_glyphs(const Drawing& d, const DrawList& list) {
 
 }  // namespace
 
-Image draw(const DrawList& list, const Viewpoint& viewpoint, const Theme& theme, Size size, const Workers& workers,
-           int supersampling) {
+Image draw(const DrawList& list, const Viewpoint& viewpoint, const Theme& theme, Size size,
+           const Workers& workers, int supersampling) {
   const Projection projection(viewpoint, size);
   Canvas canvas;
   const Drawing d{projection, theme, size, canvas};
@@ -178,6 +189,7 @@ Image draw(const DrawList& list, const Viewpoint& viewpoint, const Theme& theme,
   add_layer(d, list, Layer::above);
   for (const Arrow& arrow : list.arrows) add_arrow(d, arrow);
   for (const Label& label : list.labels) add_label(d, label);
+  if (supersampling <= 0) supersampling = in_space ? 3 : 2;
   return paint(canvas, size, theme.background, supersampling, workers);
 }
 

@@ -9,8 +9,9 @@
 
 namespace sturnus {
 
-/// The picture of a draw list, the same bit for bit for any number of workers.
-Image draw(const DrawList& list, const Viewpoint& viewpoint, const Theme& theme, Size size, const Workers& workers,
-           int supersampling = 2);
+/// The picture of a draw list, the same bit for bit for any number of workers. `supersampling` as in
+/// PictureOptions.
+Image draw(const DrawList& list, const Viewpoint& viewpoint, const Theme& theme, Size size,
+           const Workers& workers, int supersampling = 0);
 
 }  // namespace sturnus

@@ -22,7 +22,10 @@ char32_t take_code_point(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
   const std::size_t length = first < 0x80 ? 1 : first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc0 ? 2 : 0;
-  char32_t code = length == 1 ? first : length == 2 ? first & 0x1fu : length == 3 ? first & 0x0fu : first & 0x07u;
+  char32_t code = length == 1   ? first
+                  : length == 2 ? first & 0x1fu
+                  : length == 3 ? first & 0x0fu
+                                : first & 0x07u;
   bool good = length > 0 && text.size() >= length;
   for (std::size_t i = 1; good && i < length; ++i) {
     good = (byte(i) & 0xc0) == 0x80;
@@ -53,7 +56,9 @@ const Face& face() {
   return made;
 }
 
-float scale_for(float size) { return stbtt_ScaleForPixelHeight(&face().info, std::clamp(size, 1.0f, largest_size)); }
+float scale_for(float size) {
+  return stbtt_ScaleForPixelHeight(&face().info, std::clamp(size, 1.0f, largest_size));
+}
 
 struct Letter {
   int glyph;
@@ -84,13 +89,14 @@ void add_letter(const Letter& letter, float scale, float shift, TextInk& ink) {
   const float place = letter.x + shift;
   const float whole = std::floor(place);
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  stbtt_GetGlyphBitmapBoxSubpixel(&face().info, letter.glyph, scale, scale, place - whole, 0, &x0, &y0, &x1, &y1);
+  stbtt_GetGlyphBitmapBoxSubpixel(&face().info, letter.glyph, scale, scale, place - whole, 0, &x0, &y0, &x1,
+                                  &y1);
   const int width = x1 - x0;
   const int height = y1 - y0;
   if (width <= 0 || height <= 0) return;
   std::vector<std::uint8_t> cover(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  stbtt_MakeGlyphBitmapSubpixel(&face().info, cover.data(), width, height, width, scale, scale, place - whole, 0,
-                                letter.glyph);
+  stbtt_MakeGlyphBitmapSubpixel(&face().info, cover.data(), width, height, width, scale, scale, place - whole,
+                                0, letter.glyph);
   for (int row = 0; row < height; ++row) {
     const int y = y0 + row - ink.top;
     for (int column = 0; column < width; ++column) {
@@ -107,9 +113,13 @@ void add_letter(const Letter& letter, float scale, float shift, TextInk& ink) {
 
 }  // namespace
 
-bool has_font() { return face().usable; }
+bool has_font() {
+  return face().usable;
+}
 
-float text_width(std::string_view text, float size) { return has_font() ? lay_out(text, size, nullptr) : 0; }
+float text_width(std::string_view text, float size) {
+  return has_font() ? lay_out(text, size, nullptr) : 0;
+}
 
 float capital_height(float size) {
   if (!has_font()) return 0;
@@ -138,10 +148,18 @@ TextInk text_ink(std::string_view text, float size, float shift) {
 
 #else  // no stb_truetype: every text is empty
 
-bool has_font() { return false; }
-float text_width(std::string_view, float) { return 0; }
-float capital_height(float) { return 0; }
-TextInk text_ink(std::string_view, float, float) { return {}; }
+bool has_font() {
+  return false;
+}
+float text_width(std::string_view, float) {
+  return 0;
+}
+float capital_height(float) {
+  return 0;
+}
+TextInk text_ink(std::string_view, float, float) {
+  return {};
+}
 
 #endif
 

@@ -7,17 +7,17 @@
 
 namespace sturnus {
 
-/// The bytes of the TrueType file, written by the build (cmake/embed_font.cmake). Size 0 where the font was not
-/// found when the library was built: then text takes no room and leaves no ink.
+/// The bytes of the TrueType file, written by the build (cmake/embed_font.cmake). Size 0 where the font was
+/// not found when the library was built: then text takes no room and leaves no ink.
 extern const unsigned char embedded_font[];
 extern const unsigned long embedded_font_size;
 
 /// How much ink one line of text leaves in each pixel: rows from the top, 0 to 255.
 struct TextInk {
-  int left = 0;    ///< pixels from the text's starting point to the first column
-  int top = 0;     ///< pixels from the baseline to the first row; negative above it
-  int width = 0;   ///< pixels
-  int height = 0;  ///< pixels
+  int left = 0;                     ///< pixels from the text's starting point to the first column
+  int top = 0;                      ///< pixels from the baseline to the first row; negative above it
+  int width = 0;                    ///< pixels
+  int height = 0;                   ///< pixels
   std::vector<std::uint8_t> cover;  ///< width * height
 };
 

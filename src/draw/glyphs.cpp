@@ -16,7 +16,9 @@ Rgba shaded(Rgba colour, float light) {
           static_cast<std::uint8_t>(static_cast<float>(colour.b) * brightness + 0.5f), colour.a};
 }
 
-Spot spot(const Projected& at) { return {at.x, at.y, at.depth > 0 ? 1.0f / at.depth : on_top}; }
+Spot spot(const Projected& at) {
+  return {at.x, at.y, at.depth > 0 ? 1.0f / at.depth : on_top};
+}
 
 bool has_direction(const Vec<3>& heading) {
   const float squared = dot(heading, heading);

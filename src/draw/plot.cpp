@@ -14,7 +14,7 @@ namespace {
 
 // Pixels.
 constexpr float margin = 20;
-constexpr float gap = 10;          // between panels
+constexpr float gap = 10;  // between panels
 constexpr float title_size = 20;
 constexpr float title_height = 38;
 constexpr float header_size = 14;  // text in a panel's header
@@ -53,7 +53,8 @@ std::string fitted(std::string text, float size, float width) {
   if (text_width(text, size) <= width) return text;
   while (!text.empty() && text_width(text + "…", size) > width) {
     do {
-      const bool is_rest = (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80;  // of a letter of several bytes
+      const bool is_rest =
+          (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80;  // of a letter of several bytes
       text.pop_back();
       if (!is_rest) break;
     } while (!text.empty());
@@ -62,8 +63,9 @@ std::string fitted(std::string text, float size, float width) {
 }
 
 double value_at(const PlotLine& line, std::size_t index) {
-  return index < line.values.size() && std::isfinite(line.values[index]) ? line.values[index]
-                                                                        : std::numeric_limits<double>::quiet_NaN();
+  return index < line.values.size() && std::isfinite(line.values[index])
+             ? line.values[index]
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 bool has_data(const Plot& plot, const PlotPanel& panel) {
@@ -170,7 +172,8 @@ void add_ground(const std::vector<Point>& points, float bottom, Rgba colour, Can
   }
 }
 
-void add_piece(const std::vector<Point>& points, float bottom, bool with_ground, Rgba colour, Canvas& canvas) {
+void add_piece(const std::vector<Point>& points, float bottom, bool with_ground, Rgba colour,
+               Canvas& canvas) {
   if (points.empty()) return;
   if (with_ground) add_ground(points, bottom, with_alpha(colour, 0.10f), canvas);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -208,8 +211,8 @@ std::string last_value(const Plot& plot, const PlotLine& line) {
 }
 
 // Names and last values from the right, as many as there is room for left of them.
-void add_legend(const Plot& plot, const PlotPanel& panel, const Theme& theme, float left, float right, float y,
-                Canvas& canvas) {
+void add_legend(const Plot& plot, const PlotPanel& panel, const Theme& theme, float left, float right,
+                float y, Canvas& canvas) {
   const bool with_names = panel.lines.size() > 1;
   for (std::size_t i = panel.lines.size(); i-- > 0;) {
     const std::string value = last_value(plot, panel.lines[i]);
@@ -227,7 +230,8 @@ void add_legend(const Plot& plot, const PlotPanel& panel, const Theme& theme, fl
   }
 }
 
-void add_header(const Plot& plot, const PlotPanel& panel, const Theme& theme, const Frame& card, Canvas& canvas) {
+void add_header(const Plot& plot, const PlotPanel& panel, const Theme& theme, const Frame& card,
+                Canvas& canvas) {
   const float y = card.top + 0.5f * header_height + 1;
   const float left = card.left + 14;
   const float right = card.right - 16;
@@ -255,8 +259,8 @@ void add_grid(const Scales& scales, const Theme& theme, Canvas& canvas) {
 
 void add_x_labels(const Plot& plot, const Scales& scales, const Theme& theme, float y, Canvas& canvas) {
   // The name stands left of the numbers, in the gutter, where no number can meet it.
-  canvas.text(fitted(plot.x_title, tick_size, scales.area.left - margin - 20), scales.area.left - 20, y, tick_size,
-              theme.faint_text, Align::right);
+  canvas.text(fitted(plot.x_title, tick_size, scales.area.left - margin - 20), scales.area.left - 20, y,
+              tick_size, theme.faint_text, Align::right);
   float free_from = 0;
   for (const double tick : scales.x.ticks()) {
     const std::string text = scales.x.text(tick);
@@ -268,13 +272,13 @@ void add_x_labels(const Plot& plot, const Scales& scales, const Theme& theme, fl
   }
 }
 
-void add_panel(const Plot& plot, const PlotPanel& panel, const Scales& scales, const Frame& card, const Theme& theme,
-               Canvas& canvas) {
+void add_panel(const Plot& plot, const PlotPanel& panel, const Scales& scales, const Frame& card,
+               const Theme& theme, Canvas& canvas) {
   canvas.add(BarShape{card.left, card.top, card.right, card.bottom, 6, theme.surface});
   add_header(plot, panel, theme, card, canvas);
   if (!has_data(plot, panel)) {
-    canvas.text("no data", 0.5f * (scales.area.left + scales.area.right), 0.5f * (scales.area.top + scales.area.bottom),
-                header_size, theme.faint_text, Align::centre);
+    canvas.text("no data", 0.5f * (scales.area.left + scales.area.right),
+                0.5f * (scales.area.top + scales.area.bottom), header_size, theme.faint_text, Align::centre);
     return;
   }
   add_grid(scales, theme, canvas);
@@ -306,7 +310,8 @@ Image draw_plot(const Plot& plot, const Theme& theme, Size size, const Workers& 
   const auto height = static_cast<float>(size.height);
   const float top = plot.title.empty() ? margin : margin + title_height;
   if (!plot.title.empty()) {
-    canvas.text(fitted(plot.title, title_size, width - 2 * margin), margin, margin + 12, title_size, theme.text);
+    canvas.text(fitted(plot.title, title_size, width - 2 * margin), margin, margin + 12, title_size,
+                theme.text);
   }
   const auto count = static_cast<float>(std::max<std::size_t>(1, plot.panels.size()));
   const float card_height = std::max(20.0f, (height - top - x_axis_height - (count - 1) * gap) / count);

@@ -21,7 +21,8 @@ struct PlotPanel {
   std::string title;
   std::string unit;  ///< shown after the title; empty for plain numbers
   std::vector<PlotLine> lines;
-  /// Ends of the axis, in the unit, where the range is known (0 and 1 for an order parameter); NaN: from the data.
+  /// Ends of the axis, in the unit, where the range is known (0 and 1 for an order parameter); NaN: from the
+  /// data.
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
 };

@@ -20,7 +20,8 @@ Image::Image(Size size, Rgba fill) : width(std::max(0, size.width)), height(std:
 
 namespace {
 
-// Pixels. Small enough that a band's samples stay in the second-level cache; the picture does not depend on it.
+// Pixels. Small enough that a band's samples stay in the second-level cache; the picture does not depend on
+// it.
 constexpr int band_rows = 8;
 
 // The shapes of each band in drawing order: items[start[b]] to items[start[b + 1]].
@@ -43,7 +44,8 @@ Bands sort_into_bands(const std::vector<Shape>& shapes, Size size, std::size_t b
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Extent2 box = extent(shapes[i], size);
     if (box.empty()) continue;
-    spans[i] = {static_cast<std::uint32_t>(box.y0 / band_rows), static_cast<std::uint32_t>((box.y1 - 1) / band_rows + 1)};
+    spans[i] = {static_cast<std::uint32_t>(box.y0 / band_rows),
+                static_cast<std::uint32_t>((box.y1 - 1) / band_rows + 1)};
     for (std::size_t band = spans[i].first; band < spans[i].end; ++band) {
       ++bands.start[band + 1];
       bands.x0[band] = std::min(bands.x0[band], box.x0);
@@ -71,8 +73,9 @@ void put_text(const TextShape& text, Image& image) {
     if (y < 0 || y >= image.height) continue;
     for (int column = 0; column < text.ink.width; ++column) {
       const int x = text.x + text.ink.left + column;
-      const int cover = text.ink.cover[static_cast<std::size_t>(row) * static_cast<std::size_t>(text.ink.width) +
-                                       static_cast<std::size_t>(column)];
+      const int cover =
+          text.ink.cover[static_cast<std::size_t>(row) * static_cast<std::size_t>(text.ink.width) +
+                         static_cast<std::size_t>(column)];
       if (cover == 0 || x < 0 || x >= image.width) continue;
       std::uint8_t* pixel = image.rgb.data() + image.offset(x, y);
       const int weight = (cover * text.colour.a + 127) / 255;

@@ -12,7 +12,8 @@ namespace {
 constexpr float farthest = 60000.0f;
 
 std::uint32_t pack(Rgba c) {
-  return static_cast<std::uint32_t>(c.r) | static_cast<std::uint32_t>(c.g) << 8 | static_cast<std::uint32_t>(c.b) << 16;
+  return static_cast<std::uint32_t>(c.r) | static_cast<std::uint32_t>(c.g) << 8 |
+         static_cast<std::uint32_t>(c.b) << 16;
 }
 
 // `weight` of 256 parts of the source over what is there; red and blue go through one multiplication.
@@ -23,7 +24,9 @@ std::uint32_t blend(std::uint32_t below, std::uint32_t above, std::uint32_t weig
   return (rb >> 8 & 0xff00ffu) | (g >> 8 & 0x00ff00u);
 }
 
-std::uint32_t weight_of(float cover, float alpha) { return static_cast<std::uint32_t>(cover * alpha * 256.0f + 0.5f); }
+std::uint32_t weight_of(float cover, float alpha) {
+  return static_cast<std::uint32_t>(cover * alpha * 256.0f + 0.5f);
+}
 
 // How much of the unit interval around `offset` lies between -half and half: exact, also for hair lines.
 float overlap(float offset, float half) {
@@ -34,15 +37,23 @@ struct Reach {
   float x0, y0, x1, y1;
 };
 
-Reach around(const Spot& at, float radius) { return {at.x - radius, at.y - radius, at.x + radius, at.y + radius}; }
+Reach around(const Spot& at, float radius) {
+  return {at.x - radius, at.y - radius, at.x + radius, at.y + radius};
+}
 
 Reach reach(const TriangleShape& t) {
   return {std::min({t.at[0].x, t.at[1].x, t.at[2].x}), std::min({t.at[0].y, t.at[1].y, t.at[2].y}),
           std::max({t.at[0].x, t.at[1].x, t.at[2].x}), std::max({t.at[0].y, t.at[1].y, t.at[2].y})};
 }
-Reach reach(const BallShape& ball) { return around(ball.at, ball.radius); }
-Reach reach(const DiscShape& disc) { return around(disc.at, disc.radius); }
-Reach reach(const BarShape& bar) { return {bar.left, bar.top, bar.right, bar.bottom}; }
+Reach reach(const BallShape& ball) {
+  return around(ball.at, ball.radius);
+}
+Reach reach(const DiscShape& disc) {
+  return around(disc.at, disc.radius);
+}
+Reach reach(const BarShape& bar) {
+  return {bar.left, bar.top, bar.right, bar.bottom};
+}
 Reach reach(const LineShape& line) {
   const float half = 0.5f * line.width;
   return {std::min(line.from.x, line.to.x) - half, std::min(line.from.y, line.to.y) - half,
@@ -55,18 +66,19 @@ Reach reach(const DartShape& dart) {
   const float tail_y = dart.at.y - dart.forward_y * dart.tail;
   const float wing_x = std::abs(dart.forward_y * dart.half_width);
   const float wing_y = std::abs(dart.forward_x * dart.half_width);
-  return {std::min(nose_x, tail_x - wing_x), std::min(nose_y, tail_y - wing_y), std::max(nose_x, tail_x + wing_x),
-          std::max(nose_y, tail_y + wing_y)};
+  return {std::min(nose_x, tail_x - wing_x), std::min(nose_y, tail_y - wing_y),
+          std::max(nose_x, tail_x + wing_x), std::max(nose_y, tail_y + wing_y)};
 }
 
 // Written so that a NaN fails every comparison and is left out.
 bool is_drawable(const Reach& r) {
-  return r.x0 > -farthest && r.y0 > -farthest && r.x1 < farthest && r.y1 < farthest && r.x0 <= r.x1 && r.y0 <= r.y1;
+  return r.x0 > -farthest && r.y0 > -farthest && r.x1 < farthest && r.y1 < farthest && r.x0 <= r.x1 &&
+         r.y0 <= r.y1;
 }
 
-// The edges of a triangle in whole sixteenths of a sample, so that a shared edge is the same line for both of its
-// triangles. A sample is inside where all three sides are 0 or more; one on an edge belongs to both triangles, and
-// the nearer keeps it.
+// The edges of a triangle in whole sixteenths of a sample, so that a shared edge is the same line for both of
+// its triangles. A sample is inside where all three sides are 0 or more; one on an edge belongs to both
+// triangles, and the nearer keeps it.
 struct Edges {
   static constexpr std::int64_t sub = 16;
   std::int64_t x[3];
@@ -95,8 +107,8 @@ struct Edges {
   }
 };
 
-// Nearness over the picture: linear there, so a plane through the three corners. It is evaluated for each sample by
-// itself, never summed along a row, so that it does not depend on where a band begins.
+// Nearness over the picture: linear there, so a plane through the three corners. It is evaluated for each
+// sample by itself, never summed along a row, so that it does not depend on where a band begins.
 struct Plane {
   float start, slope_x, slope_y, x, y;
 
@@ -126,7 +138,7 @@ struct Track {
   float x, y;    // where it starts
   float dx, dy;  // unit vector along it
   float length;
-  float half;    // half its width
+  float half;  // half its width
 
   Track(const LineShape& line, float scale) : x(line.from.x * scale), y(line.from.y * scale) {
     dx = line.to.x * scale - x;
@@ -147,8 +159,10 @@ struct Track {
     if (std::abs(dy) < 1e-3f) return;
     const float middle = x + from_y * dx / dy;
     const float reach = (half + 1) / std::abs(dy);
-    x0 = static_cast<int>(std::floor(std::clamp(middle - reach, static_cast<float>(x0), static_cast<float>(x1))));
-    x1 = static_cast<int>(std::ceil(std::clamp(middle + reach, static_cast<float>(x0), static_cast<float>(x1))));
+    x0 = static_cast<int>(
+        std::floor(std::clamp(middle - reach, static_cast<float>(x0), static_cast<float>(x1))));
+    x1 = static_cast<int>(
+        std::ceil(std::clamp(middle + reach, static_cast<float>(x0), static_cast<float>(x1))));
   }
 
   // Part of a sample that the line covers; `inside` is the nearest place of its length.
@@ -166,7 +180,8 @@ Extent2 extent(const Shape& shape, Size size) {
   const Reach r = std::visit([](const auto& one) { return reach(one); }, shape);
   if (!is_drawable(r)) return {};
   // One pixel more on each side, for soft edges.
-  return {std::max(0, static_cast<int>(std::floor(r.x0)) - 1), std::max(0, static_cast<int>(std::floor(r.y0)) - 1),
+  return {std::max(0, static_cast<int>(std::floor(r.x0)) - 1),
+          std::max(0, static_cast<int>(std::floor(r.y0)) - 1),
           std::min(size.width, static_cast<int>(std::floor(r.x1)) + 2),
           std::min(size.height, static_cast<int>(std::floor(r.y1)) + 2)};
 }
@@ -294,8 +309,8 @@ void Samples::draw_shape(const DartShape& dart) {
   const float back_unit = 1.0f / std::sqrt(width * width + back * back);
   const float cx = dart.at.x * scale;
   const float cy = dart.at.y * scale;
-  fill(cut(r.x0 * scale - 1, r.y0 * scale - 1, r.x1 * scale + 1, r.y1 * scale + 1), dart.colour, dart.at.nearness,
-       [=, hx = dart.forward_x, hy = dart.forward_y](float x, float y) {
+  fill(cut(r.x0 * scale - 1, r.y0 * scale - 1, r.x1 * scale + 1, r.y1 * scale + 1), dart.colour,
+       dart.at.nearness, [=, hx = dart.forward_x, hy = dart.forward_y](float x, float y) {
          const float u = (x - cx) * hx + (y - cy) * hy;
          const float v = std::abs((y - cy) * hx - (x - cx) * hy);
          return std::max(((u - nose) * width + v * front) * front_unit,
@@ -388,7 +403,8 @@ template <int scale>
 void Samples::average(int x0, int x1, Image& image) const {
   constexpr std::uint32_t count = scale * scale;
   for (int y = top_ / scale; y < bottom_ / scale; ++y) {
-    const std::uint32_t* samples = colours_.data() + row_start(y * scale) + static_cast<std::size_t>(x0 * scale);
+    const std::uint32_t* samples =
+        colours_.data() + row_start(y * scale) + static_cast<std::size_t>(x0 * scale);
     std::uint8_t* pixel = image.rgb.data() + image.offset(x0, y);
     for (int x = x0; x < x1; ++x, samples += scale, pixel += 3) {
       std::uint32_t rb = 0;  // two sums of at most 16 * 255 in one word

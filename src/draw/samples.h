@@ -17,7 +17,8 @@ struct Extent2 {
 /// What a shape may touch, in pixels, cut to the picture; empty when it is outside or not finite.
 Extent2 extent(const Shape& shape, Size size);
 
-/// A band's samples. Colours are packed as r | g << 8 | b << 16; nearness is there only for pictures with depth.
+/// A band's samples. Colours are packed as r | g << 8 | b << 16; nearness is there only for pictures with
+/// depth.
 class Samples {
  public:
   /// For bands `rows` pixels high in pictures `width` pixels wide, `scale` samples along a pixel's side.
@@ -46,14 +47,16 @@ class Samples {
   template <int scale>
   void average(int x0, int x1, Image& image) const;
   Extent2 cut(float x0, float y0, float x1, float y1) const;
-  std::size_t row_start(int y) const { return static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(width_); }
+  std::size_t row_start(int y) const {
+    return static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(width_);
+  }
 
-  int width_;        // samples in a row
-  int scale_;        // samples along a pixel's side
-  int top_ = 0;      // first sample row of this band
-  int bottom_ = 0;   // the row after its last
-  int left_ = 0;     // first column that was cleared, in samples
-  int right_ = 0;    // the column after the last
+  int width_;       // samples in a row
+  int scale_;       // samples along a pixel's side
+  int top_ = 0;     // first sample row of this band
+  int bottom_ = 0;  // the row after its last
+  int left_ = 0;    // first column that was cleared, in samples
+  int right_ = 0;   // the column after the last
   bool has_depth_;
   std::vector<std::uint32_t> colours_;
   std::vector<float> nearness_;

@@ -45,7 +45,8 @@ Grid grid_for(const std::vector<Image>& pictures, const std::vector<std::string>
     grid.cell_width = std::max(grid.cell_width, picture.width);
     grid.cell_height = std::max(grid.cell_height, picture.height);
   }
-  const bool any = std::any_of(captions.begin(), captions.end(), [](const auto& text) { return !text.empty(); });
+  const bool any =
+      std::any_of(captions.begin(), captions.end(), [](const auto& text) { return !text.empty(); });
   grid.caption = any ? caption_height : 0;
   return grid;
 }

@@ -49,7 +49,9 @@ std::uint8_t mix_byte(std::uint8_t from, std::uint8_t to, float part) {
 
 }  // namespace
 
-const Theme& theme(ThemeName name) { return name == ThemeName::light ? light : dark; }
+const Theme& theme(ThemeName name) {
+  return name == ThemeName::light ? light : dark;
+}
 
 Rgba mix(Rgba from, Rgba to, float part) {
   if (!(part > 0)) return from;

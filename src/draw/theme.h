@@ -19,8 +19,9 @@ struct Theme {
   Rgba food;
   Rgba obstacle;
   Rgba attractor;
-  std::array<Rgba, 6> flocks;  ///< told apart by colour-blind eyes; the predator's vermilion is not among them
-  float depth_fade = 0.72f;       ///< how much of the background the farthest glyph in space takes on, 0 to 1
+  std::array<Rgba, 6>
+      flocks;                ///< told apart by colour-blind eyes; the predator's vermilion is not among them
+  float depth_fade = 0.72f;  ///< how much of the background the farthest glyph in space takes on, 0 to 1
 
   /// The colour of flock or line `index`; they repeat after the last.
   Rgba flock(std::size_t index) const { return flocks[index % flocks.size()]; }

@@ -40,10 +40,12 @@ int synchronise(int file) {
   return errno;
 }
 
-int close_file(int file) { return ::close(file) == 0 || errno == EINTR ? 0 : errno; }
+int close_file(int file) {
+  return ::close(file) == 0 || errno == EINTR ? 0 : errno;
+}
 
-// The descriptor that a name such as /dev/stdout stands for, or -1. Opening such a name again would start at the
-// beginning of a file that the shell has put there, and renaming over it would destroy the name.
+// The descriptor that a name such as /dev/stdout stands for, or -1. Opening such a name again would start at
+// the beginning of a file that the shell has put there, and renaming over it would destroy the name.
 int inherited_descriptor(const std::string& path) {
   if (path == "/dev/stdout") return 1;
   if (path == "/dev/stderr") return 2;
@@ -58,7 +60,8 @@ int inherited_descriptor(const std::string& path) {
 // Devices, pipes and sockets: there is nothing to rename. Returns 0 or an errno.
 int write_directly(const std::string& path, std::span<const unsigned char> bytes) {
   const int inherited = inherited_descriptor(path);
-  const int file = inherited >= 0 ? ::fcntl(inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int file =
+      inherited >= 0 ? ::fcntl(inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (file < 0) return errno;
   const int error = write_all(file, bytes);
   const int close_error = close_file(file);

@@ -13,8 +13,8 @@ namespace {
 struct Pattern {
   std::string before, after;
   int digits = 0;
-  int places = 0;        // how many numbers it has; one is right
-  bool is_good = true;   // false after a percent sign that means nothing here
+  int places = 0;       // how many numbers it has; one is right
+  bool is_good = true;  // false after a percent sign that means nothing here
 };
 
 // Reads what follows a percent sign; returns how many characters that is.
@@ -60,7 +60,9 @@ Problem pattern_problem(const std::string& path, const char* text) {
 
 }  // namespace
 
-bool is_frame_pattern(const std::string& path) { return read_pattern(path).places > 0; }
+bool is_frame_pattern(const std::string& path) {
+  return read_pattern(path).places > 0;
+}
 
 Result<FrameWriter> FrameWriter::open(const std::string& pattern, std::int64_t first) {
   Pattern read = read_pattern(pattern);
@@ -91,6 +93,8 @@ std::string FrameWriter::name(std::int64_t number) const {
   return before_ + digits + after_;
 }
 
-Status FrameWriter::add(const Image& frame) { return write_picture(name(next_++), frame); }
+Status FrameWriter::add(const Image& frame) {
+  return write_picture(name(next_++), frame);
+}
 
 }  // namespace sturnus

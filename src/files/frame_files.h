@@ -15,8 +15,8 @@ bool is_frame_pattern(const std::string& path);
 /// Writes frames/00000.png, frames/00001.png and so on.
 class FrameWriter {
  public:
-  /// A pattern has one place for the number: %d, or %0Nd for N digits, N from 1 to 9; %% stands for one percent
-  /// sign; it ends in .png or .ppm. Its folder is created. The first frame gets the number `first`.
+  /// A pattern has one place for the number: %d, or %0Nd for N digits, N from 1 to 9; %% stands for one
+  /// percent sign; it ends in .png or .ppm. Its folder is created. The first frame gets the number `first`.
   static Result<FrameWriter> open(const std::string& pattern, std::int64_t first = 0);
 
   /// Writes the next frame.

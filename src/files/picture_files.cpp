@@ -16,8 +16,8 @@ namespace {
 
 constexpr int compression_level = 2;  // zlib; twice as fast as its default, files a tenth larger
 
-// What libpng's callbacks need. It lives outside the function that calls setjmp, so that a jump cannot leave it
-// half changed, and owns everything, so that a jump over destructors leaks nothing.
+// What libpng's callbacks need. It lives outside the function that calls setjmp, so that a jump cannot leave
+// it half changed, and owns everything, so that a jump over destructors leaks nothing.
 struct PngJob {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -54,8 +54,9 @@ bool encode(PngJob& job, const Image& image) {
   png_set_write_fn(job.png, &job, take_bytes, take_nothing);
   png_set_compression_level(job.png, compression_level);
   png_set_filter(job.png, 0, PNG_FILTER_NONE);
-  png_set_IHDR(job.png, job.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(job.png, job.info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(job.png, job.info);
   for (int y = 0; y < image.height; ++y) png_write_row(job.png, image.rgb.data() + image.offset(0, y));
   png_write_end(job.png, nullptr);
@@ -78,12 +79,14 @@ Result<std::vector<unsigned char>> encode_png(const Image& image) {
   job.bytes.reserve(image.rgb.size() / 4 + 1024);
   if (encode(job, image)) return std::move(job.bytes);
   Problem problem;
-  problem.text = "the PNG could not be encoded: " + (job.error.empty() ? "libpng could not start" : job.error);
+  problem.text =
+      "the PNG could not be encoded: " + (job.error.empty() ? "libpng could not start" : job.error);
   return problem;
 }
 
 std::vector<unsigned char> encode_ppm(const Image& image) {
-  const std::string header = "P6\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n255\n";
+  const std::string header =
+      "P6\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n255\n";
   std::vector<unsigned char> bytes(header.begin(), header.end());
   bytes.insert(bytes.end(), image.rgb.begin(), image.rgb.end());
   return bytes;

@@ -16,8 +16,8 @@ extern char** environ;
 namespace sturnus {
 namespace {
 
-// While it lives, a write to a closed pipe gives EPIPE in this thread and kills nobody; the host program's own
-// handling of SIGPIPE is as before afterwards.
+// While it lives, a write to a closed pipe gives EPIPE in this thread and kills nobody; the host program's
+// own handling of SIGPIPE is as before afterwards.
 class NoBrokenPipeSignal {
  public:
   NoBrokenPipeSignal() {

@@ -19,8 +19,8 @@ class Process {
   /// Kills the child when it still runs, and waits for it.
   ~Process();
 
-  /// Starts words[0], looked up on the PATH, with the other words as its arguments; no shell reads them. Returns 0
-  /// or an errno. Ctrl-C does not reach it: whether to stop or to finish is this program's choice.
+  /// Starts words[0], looked up on the PATH, with the other words as its arguments; no shell reads them.
+  /// Returns 0 or an errno. Ctrl-C does not reach it: whether to stop or to finish is this program's choice.
   int start(const std::vector<std::string>& words);
 
   /// 0, or the errno of the write that failed: EPIPE when the child has gone.

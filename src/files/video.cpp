@@ -36,24 +36,44 @@ Problem problem_with(const std::string& path, std::string text) {
   return problem;
 }
 
-std::vector<std::string> command(Format format, const std::string& output, Size size, double frames_per_second) {
+std::vector<std::string> command(Format format, const std::string& output, Size size,
+                                 double frames_per_second) {
   char rate[32];
   std::snprintf(rate, sizeof rate, "%.6g", frames_per_second);
   std::vector<std::string> words{"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-y",
                                  // what comes in
                                  "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
-                                 std::to_string(size.width) + "x" + std::to_string(size.height), "-framerate", rate,
-                                 "-i", "pipe:0", "-an", "-map_metadata", "-1", "-fflags", "+bitexact"};
-  const auto add = [&](std::initializer_list<const char*> more) { words.insert(words.end(), more.begin(), more.end()); };
+                                 std::to_string(size.width) + "x" + std::to_string(size.height), "-framerate",
+                                 rate, "-i", "pipe:0", "-an", "-map_metadata", "-1", "-fflags", "+bitexact"};
+  const auto add = [&](std::initializer_list<const char*> more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
   if (format == Format::mp4) {
     // 4:2:0 needs even sides. The matrix is named, or players guess it from the height and shift the colours.
-    add({"-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2:0:0,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
-         "-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-flags:v", "+bitexact", "-colorspace", "bt709",
-         "-color_primaries", "bt709", "-color_trc", "bt709", "-movflags", "+faststart", "-f", "mp4"});
+    add({"-vf",
+         "crop=trunc(iw/2)*2:trunc(ih/2)*2:0:0,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+         "-c:v",
+         "libx264",
+         "-preset",
+         "veryfast",
+         "-crf",
+         "18",
+         "-flags:v",
+         "+bitexact",
+         "-colorspace",
+         "bt709",
+         "-color_primaries",
+         "bt709",
+         "-color_trc",
+         "bt709",
+         "-movflags",
+         "+faststart",
+         "-f",
+         "mp4"});
   } else {
     // A palette for each frame: one for the whole clip would keep every frame in memory.
-    add({"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-loop", "0",
-         "-f", "gif"});
+    add({"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-loop",
+         "0", "-f", "gif"});
   }
   // The prefix keeps ffmpeg from taking a name with a colon for a protocol, or one with a dash for an option.
   words.push_back("file:" + output);
@@ -69,7 +89,8 @@ bool ffmpeg_available() {
     const std::size_t end = folders.find(':');
     const std::string program = std::string(folders.substr(0, end)) + "/ffmpeg";
     struct stat info {};
-    if (::stat(program.c_str(), &info) == 0 && S_ISREG(info.st_mode) && ::access(program.c_str(), X_OK) == 0) {
+    if (::stat(program.c_str(), &info) == 0 && S_ISREG(info.st_mode) &&
+        ::access(program.c_str(), X_OK) == 0) {
       return true;
     }
     folders.remove_prefix(end == std::string_view::npos ? folders.size() : end + 1);
@@ -77,7 +98,9 @@ bool ffmpeg_available() {
   return false;
 }
 
-bool is_video_name(const std::string& path) { return format_of(path) != Format::other; }
+bool is_video_name(const std::string& path) {
+  return format_of(path) != Format::other;
+}
 
 Status check_video(const std::string& path) {
   if (!is_video_name(path)) return problem_with(path, "a video's name has to end in .mp4 or .gif");
@@ -96,6 +119,8 @@ struct VideoWriter::Job {
   Size size;
   std::size_t frames = 0;
   Process ffmpeg;
+  bool has_ended = false;
+  int ended_with = 0;
 
   ~Job() { remove(); }
 
@@ -105,12 +130,25 @@ struct VideoWriter::Job {
     unfinished.clear();
   }
 
+  // Waits for ffmpeg, the first time it is asked.
+  int exit_status() {
+    if (!has_ended) ended_with = ffmpeg.wait();
+    has_ended = true;
+    return ended_with;
+  }
+
+  // To be called once ffmpeg has stopped or has to: says why, and leaves nothing.
   Problem failed() {
-    const int status = ffmpeg.wait();
-    const std::string complaint = ffmpeg.last_complaint();
+    const int status = exit_status();
+    std::string complaint = ffmpeg.last_complaint();
+    // The person asked for a file with another name.
+    const std::string hidden = "file:" + unfinished;
+    const std::size_t at = complaint.find(hidden);
+    if (at != std::string::npos) complaint.replace(at, hidden.size(), path);
     remove();
-    return problem_with(path, "ffmpeg failed" + (complaint.empty() ? " with exit status " + std::to_string(status)
-                                                                   : ": " + complaint));
+    return problem_with(
+        path, "ffmpeg failed" +
+                  (complaint.empty() ? " with exit status " + std::to_string(status) : ": " + complaint));
   }
 };
 
@@ -122,7 +160,8 @@ VideoWriter::~VideoWriter() = default;
 Result<VideoWriter> VideoWriter::open(const std::string& path, Size size, double frames_per_second) {
   const Status possible = check_video(path);
   if (!possible) return possible.problems();
-  if (size.width < 2 || size.height < 2) return problem_with(path, "a video's frames have at least 2 x 2 pixels");
+  if (size.width < 2 || size.height < 2)
+    return problem_with(path, "a video's frames have at least 2 x 2 pixels");
   if (!(frames_per_second >= 1 && frames_per_second <= 1000)) {
     return problem_with(path, "a video shows 1 to 1000 frames per second");
   }
@@ -149,13 +188,7 @@ Status VideoWriter::finish() {
     job_->remove();
     return problem_with(job_->path, "a video needs at least one frame");
   }
-  const int status = job_->ffmpeg.wait();
-  if (status != 0) {
-    const std::string complaint = job_->ffmpeg.last_complaint();
-    job_->remove();
-    return problem_with(job_->path, "ffmpeg failed" + (complaint.empty() ? " with exit status " + std::to_string(status)
-                                                                         : ": " + complaint));
-  }
+  if (job_->exit_status() != 0) return job_->failed();
   return publish(std::exchange(job_->unfinished, {}), job_->path);
 }
 

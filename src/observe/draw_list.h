@@ -10,8 +10,8 @@
 
 namespace sturnus {
 
-/// The form of one glyph. Flat pictures draw a cone as a dart and a ball as a circle; pictures of space draw a
-/// dart or a triangle as a cone.
+/// The form of one glyph. Flat pictures draw a cone as a dart and a ball as a circle; pictures of space draw
+/// a dart or a triangle as a cone.
 enum class GlyphKind : std::uint8_t {
   dart,      ///< arrowhead with a notched tail, along the heading
   triangle,  ///< the same with a straight tail
@@ -36,8 +36,8 @@ struct Glyph {
 
 /// A straight line whose opacity may change along the way, such as a piece of a trail.
 struct Segment {
-  Vec<3> from;           ///< world
-  Vec<3> to;             ///< world
+  Vec<3> from;  ///< world
+  Vec<3> to;    ///< world
   Rgba colour;
   float width = 1.5f;    ///< pixels
   float alpha_from = 1;  ///< 0 to 1, times the colour's own opacity
@@ -47,10 +47,10 @@ struct Segment {
 
 /// A line with a head at `to`, drawn above the glyphs: forces and velocities.
 struct Arrow {
-  Vec<3> from;       ///< world
-  Vec<3> to;         ///< world
+  Vec<3> from;  ///< world
+  Vec<3> to;    ///< world
   Rgba colour;
-  float width = 2;   ///< pixels; the head is four times as wide
+  float width = 2;  ///< pixels; the head is four times as wide
 };
 
 /// A circle around a place; in space, the outline of a sphere.
@@ -67,8 +67,8 @@ struct Box {
   Vec<3> low;   ///< world, the corner with the smallest coordinates
   Vec<3> high;  ///< world, the corner with the largest coordinates
   Rgba colour;
-  float width = 1.5f;        ///< pixels; 0 draws no edges
-  Rgba fill{0, 0, 0, 0};   ///< flat pictures only; transparent unless told
+  float width = 1.5f;     ///< pixels; 0 draws no edges
+  Rgba fill{0, 0, 0, 0};  ///< flat pictures only; transparent unless told
 };
 
 /// Which end of the text stands at its place.
@@ -88,8 +88,8 @@ struct Label {
   bool plate = false;  ///< a faint plate in the background's colour behind it, for crowded pictures
 };
 
-/// Everything in one picture. Drawn in this order: boxes; segments and rings below; glyphs; segments and rings
-/// above; arrows; labels. Within one list, later items cover earlier ones, except where depth decides.
+/// Everything in one picture. Drawn in this order: boxes; segments and rings below; glyphs; segments and
+/// rings above; arrows; labels. Within one list, later items cover earlier ones, except where depth decides.
 struct DrawList {
   std::vector<Box> boxes;
   std::vector<Segment> segments;

@@ -46,7 +46,7 @@ Vec<D> flee(const TermModel& term, const NeighbourSum& sum, const Self<D>& self,
   const Vec<D> away = vec_of<D>(sum) * (-1.0f / static_cast<float>(sum.count));
   switch (term.form) {
     case SteeringForm::heading: return away - self.heading;
-    case SteeringForm::seek: return narrow<D>(seek(wide(away), wide(self.velocity), max_speed));
+    case SteeringForm::seek: return narrow_to<D>(seek(widened(away), widened(self.velocity), max_speed));
     case SteeringForm::linear: return away;
   }
   return {};

@@ -7,12 +7,12 @@ template <int D>
 Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, const Self<D>& self, const Image& image,
                     float max_speed) {
   if (!pointer.pressed) return {};
-  Vec<D> o = offset(self.position, narrow<D>(pointer.at), image);
+  Vec<D> o = offset(self.position, narrow_to<D>(pointer.at), image);
   if (length(o) > model.radius) return {};
   if (pointer.mode == PointerMode::repel) o *= -1.0f;
   switch (model.form) {
-    case SteeringForm::heading: return narrow<D>(face(wide(o), wide(self.velocity)));
-    case SteeringForm::seek: return narrow<D>(seek(wide(o), wide(self.velocity), max_speed));
+    case SteeringForm::heading: return narrow_to<D>(face(widened(o), widened(self.velocity)));
+    case SteeringForm::seek: return narrow_to<D>(seek(widened(o), widened(self.velocity), max_speed));
     case SteeringForm::linear: return o;
   }
   return {};

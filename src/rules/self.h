@@ -26,19 +26,4 @@ struct Moment {
   std::uint64_t step = 0;
 };
 
-/// Between the public three-component vectors and the engine's own; z is 0 in two dimensions.
-template <int D>
-Vector wide(const Vec<D>& v) {
-  Vector out{};
-  for (int axis = 0; axis < D; ++axis) out[static_cast<std::size_t>(axis)] = v[axis];
-  return out;
-}
-
-template <int D>
-Vec<D> narrow(const Vector& v) {
-  Vec<D> out;
-  for (int axis = 0; axis < D; ++axis) out[axis] = v[static_cast<std::size_t>(axis)];
-  return out;
-}
-
 }  // namespace sturnus

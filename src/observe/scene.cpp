@@ -1,0 +1,159 @@
+// Builds draw lists from views: glyphs, trails, outline, arrows, index cells, a caption.
+#include "observe/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "scenario/model.h"
+
+namespace sturnus {
+namespace {
+
+std::uint8_t to_byte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
+
+GlyphKind kind_of(const FlockDef& flock, int dimensions) {
+  if (!flock.glyph) return dimensions == 3 ? GlyphKind::cone : GlyphKind::dart;
+  switch (*flock.glyph) {
+    case GlyphStyle::dart: return GlyphKind::dart;
+    case GlyphStyle::cone: return GlyphKind::cone;
+    case GlyphStyle::circle: return GlyphKind::circle;
+  }
+  return GlyphKind::dart;
+}
+
+void add_outline(const View& view, const SceneColours& colours, DrawList& list) {
+  if (!view.scenario().camera.outline) return;
+  const Extent extent = extent_of(view.scenario());
+  Box box;
+  for (std::size_t axis = 0; axis < extent.min.size(); ++axis) {
+    box.low[static_cast<int>(axis)] = static_cast<float>(extent.min[axis]);
+    box.high[static_cast<int>(axis)] = static_cast<float>(extent.max[axis]);
+  }
+  box.colour = colours.outline;
+  box.fill = colours.surface;
+  list.boxes.push_back(box);
+}
+
+void add_index(const SceneOptions& options, const SceneColours& colours, DrawList& list) {
+  for (const auto& corners : options.index_boxes) {
+    list.boxes.push_back({Vec<3>{corners[0]}, Vec<3>{corners[1]}, colours.grid, 1.0f, {0, 0, 0, 0}});
+  }
+}
+
+// Velocities as arrows, a few boid lengths long at full speed.
+void add_velocity(const View& view, const FlockDef& flock, std::size_t slot, const SceneColours& colours, DrawList& list) {
+  const Vec<3> position{view.position(slot)};
+  const Vec<3> velocity{view.velocity(slot)};
+  const auto full = static_cast<float>(std::isinf(flock.max_speed) ? 0 : flock.max_speed);
+  const float scale = full > 0 ? 3.0f * static_cast<float>(flock.size) / full : 1.0f;
+  list.arrows.push_back({position, position + velocity * scale, colours.accent, 1.25f});
+}
+
+void add_caption(const View& view, const SceneColours& colours, DrawList& list) {
+  const ScenarioDef& scenario = view.scenario();
+  Label title;
+  title.text = scenario.title.empty() ? scenario.name : scenario.title;
+  title.on_screen = true;
+  title.offset_x = 22;
+  title.offset_y = 34;
+  title.size = 17;
+  title.colour = colours.text;
+  list.labels.push_back(title);
+  Label state = title;
+  state.text = say(view.size(), " boids · step ", view.step());
+  state.offset_y = 56;
+  state.size = 13;
+  state.colour = with_alpha(colours.text, 0.65f);
+  list.labels.push_back(state);
+}
+
+}  // namespace
+
+Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours) {
+  const State& state = view.state();
+  if (!state.colour[0].empty()) {
+    return {to_byte(state.colour[0][slot]), to_byte(state.colour[1][slot]), to_byte(state.colour[2][slot]), 255};
+  }
+  const auto flock = static_cast<std::size_t>(view.flock(slot));
+  const std::string& start = view.scenario().flocks[flock].colour.start;
+  if (start.empty() || start == "random") return colours.flocks[flock % colours.flocks.size()];
+  const auto given = colour_of_hex(start);
+  return {to_byte(given[0]), to_byte(given[1]), to_byte(given[2]), 255};
+}
+
+void Trails::follow(const View& view) {
+  std::vector<Piece> pieces;
+  std::unordered_map<std::uint64_t, Vec<3>> now;
+  const Extent extent = extent_of(view.scenario());
+  const bool wraps = view.scenario().space.boundary.kind == BoundaryKind::wrap;
+  for (std::size_t slot = 0; slot < view.size(); ++slot) {
+    const Vec<3> at{view.position(slot)};
+    now.emplace(view.id(slot), at);
+    const auto before = last_.find(view.id(slot));
+    if (before == last_.end()) continue;
+    bool over_seam = false;
+    for (std::size_t axis = 0; wraps && axis < extent.min.size(); ++axis) {
+      const double step = std::abs(double{at[static_cast<int>(axis)]} - double{before->second[static_cast<int>(axis)]});
+      over_seam = over_seam || step > (extent.max[axis] - extent.min[axis]) / 2;
+    }
+    if (!over_seam) pieces.push_back({view.id(slot), before->second, at});
+  }
+  last_ = std::move(now);
+  steps_.push_back(std::move(pieces));
+  while (steps_.size() > static_cast<std::size_t>(view.scenario().camera.trail)) steps_.pop_front();
+}
+
+void Trails::add_to(const View& view, const SceneColours& colours, DrawList& list) const {
+  std::unordered_map<std::uint64_t, Rgba> colour;
+  for (std::size_t slot = 0; slot < view.size(); ++slot) colour.emplace(view.id(slot), colour_of(view, slot, colours));
+  const auto age_step = 1.0f / static_cast<float>(std::max<std::size_t>(1, steps_.size()));
+  float strength = 0;
+  for (const auto& pieces : steps_) {
+    for (const Piece& piece : pieces) {
+      const auto own = colour.find(piece.id);
+      if (own == colour.end()) continue;
+      Segment segment{piece.from, piece.to, own->second, 1.3f, 0.55f * strength, 0.55f * (strength + age_step), Layer::below};
+      list.segments.push_back(segment);
+    }
+    strength += age_step;
+  }
+}
+
+void make_scene(const View& view, const SceneColours& colours, const SceneOptions& options, DrawList& list) {
+  add_outline(view, colours, list);
+  add_index(options, colours, list);
+  for (std::size_t slot = 0; slot < view.size(); ++slot) {
+    const FlockDef& flock = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))];
+    list.glyphs.push_back({Vec<3>{view.position(slot)}, Vec<3>{view.velocity(slot)}, static_cast<float>(flock.size),
+                           colour_of(view, slot, colours), kind_of(flock, view.dimensions())});
+    if (options.velocities) add_velocity(view, flock, slot, colours, list);
+  }
+  if (options.caption) add_caption(view, colours, list);
+}
+
+Framing framing_of(const View& view) {
+  Framing out;
+  const Extent extent = extent_of(view.scenario());
+  const bool fit_flock = view.scenario().camera.fit == CameraFit::flock && view.size() > 0;
+  for (std::size_t axis = 0; axis < extent.min.size(); ++axis) {
+    const auto a = static_cast<int>(axis);
+    out.low[a] = static_cast<float>(extent.min[axis]);
+    out.high[a] = static_cast<float>(extent.max[axis]);
+    if (!fit_flock) continue;
+    // All but the outermost hundredth on either side: a stray does not make the flock small.
+    std::vector<float> at(view.state().position[axis]);
+    const std::size_t skip = at.size() / 100;
+    std::nth_element(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(skip), at.end());
+    out.low[a] = at[skip];
+    const std::size_t last = at.size() - 1 - skip;
+    std::nth_element(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(last), at.end());
+    out.high[a] = at[last];
+    const float room = 0.06f * (out.high[a] - out.low[a]) + 1e-3f;
+    out.low[a] -= room;
+    out.high[a] += room;
+  }
+  return out;
+}
+
+}  // namespace sturnus

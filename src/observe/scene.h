@@ -1,0 +1,55 @@
+// What there is to see of a flock, as draw lists: pictures and the studio both draw them.
+#pragma once
+
+#include <sturnus/view.h>
+
+#include <array>
+#include <deque>
+#include <unordered_map>
+#include <vector>
+
+#include "observe/draw_list.h"
+
+namespace sturnus {
+
+/// Colours that a scene takes from the theme.
+struct SceneColours {
+  std::array<Rgba, 6> flocks{};
+  Rgba outline, surface, grid, text, accent;
+};
+
+/// What besides the boids is put into a scene.
+struct SceneOptions {
+  bool velocities = false;
+  bool caption = true;
+  std::vector<std::array<std::array<float, 3>, 2>> index_boxes;
+};
+
+/// The path of every boid over the last steps, by id; pieces never cross the seam of a wrapped space.
+class Trails {
+ public:
+  void follow(const View& view);
+  void add_to(const View& view, const SceneColours& colours, DrawList& list) const;
+
+ private:
+  struct Piece {
+    std::uint64_t id;
+    Vec<3> from, to;
+  };
+  std::deque<std::vector<Piece>> steps_;
+  std::unordered_map<std::uint64_t, Vec<3>> last_;
+};
+
+/// The colour that a boid is drawn in: its own drifting one, its flock's, or the palette's.
+Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours);
+
+/// Fills a draw list with the space's outline, boids, and what the options ask for.
+void make_scene(const View& view, const SceneColours& colours, const SceneOptions& options, DrawList& list);
+
+/// Corners of what the scenario's camera wants to fit: the space, or where most of the boids are.
+struct Framing {
+  Vec<3> low, high;
+};
+Framing framing_of(const View& view);
+
+}  // namespace sturnus
