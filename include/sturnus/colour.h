@@ -21,7 +21,8 @@ constexpr Rgba rgb(std::uint32_t hex) {
           static_cast<std::uint8_t>(hex & 0xff), 255};
 }
 
-/// The same colour with another opacity, 0 to 1; values outside are clamped.
+/// The same colour with another opacity, 0 to 1; values outside are clamped, and no number counts as 0.
+/// It replaces the opacity that the colour had and does not multiply it.
 constexpr Rgba with_alpha(Rgba colour, float alpha) {
   const float kept = alpha > 0 ? (alpha < 1 ? alpha : 1.0f) : 0.0f;
   colour.a = static_cast<std::uint8_t>(kept * 255.0f + 0.5f);

@@ -1,6 +1,8 @@
 // Pictures of a running flock: scene, viewpoint and theme brought together.
 #include <sturnus/render.h>
 
+#include <algorithm>
+
 #include "draw/draw.h"
 #include "draw/plot.h"
 #include "draw/sheet.h"
@@ -68,20 +70,30 @@ Image Renderer::frame(const Simulation& simulation) {
               options.picture.supersampling);
 }
 
+namespace {
+
+// Polarisation and milling share a panel: a flock trades one for the other. A population that never changes has none.
+void add_panel(const MeasureColumn& column, const std::vector<Measures>& rows, Plot& plot) {
+  PlotLine line{column.title, {}};
+  for (const Measures& row : rows) line.values.push_back(column.value(row));
+  const std::string_view name = column.name;
+  const auto is_first = [&](double value) { return value == line.values.front(); };
+  if (name == "boids" && std::all_of(line.values.begin(), line.values.end(), is_first)) return;
+  if (name == "milling") {
+    plot.panels.back().title = "Order";
+    plot.panels.back().lines.push_back(std::move(line));
+    return;
+  }
+  plot.panels.push_back({column.title, column.unit, {std::move(line)}, column.low, column.high});
+}
+
+}  // namespace
+
 Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme_name, int width) {
   Plot plot;
   plot.title = title;
   for (const Measures& row : rows) plot.x.push_back(static_cast<double>(row.step));
-  for (const MeasureColumn& column : measure_columns()) {
-    PlotPanel panel;
-    panel.title = column.title;
-    panel.unit = column.unit;
-    panel.low = column.low;
-    panel.high = column.high;
-    panel.lines.push_back({column.name, {}});
-    for (const Measures& row : rows) panel.lines[0].values.push_back(column.value(row));
-    plot.panels.push_back(std::move(panel));
-  }
+  for (const MeasureColumn& column : measure_columns()) add_panel(column, rows, plot);
   return draw_plot(plot, theme(theme_name), plot_size(plot, width), Workers(0));
 }
 

@@ -73,14 +73,24 @@ void push(Columns& columns, const Vec<D>& v) {
 // The colours a flock takes when it names none; safe for colour-blind eyes (Okabe and Ito).
 constexpr std::array<const char*, 6> palette = {"#56b4e9", "#e69f00", "#009e73", "#f0e442", "#cc79a7", "#0072b2"};
 
+// A bright colour of any hue: one channel full, one dark, one in between.
+Vec<3> random_colour(Draws& draws) {
+  const float hue = 6 * draws.uniform();
+  const int sextant = static_cast<int>(hue);
+  const float part = hue - static_cast<float>(sextant);
+  constexpr float dark = 0.25f;
+  const float between = dark + (1 - dark) * (sextant % 2 == 0 ? part : 1 - part);
+  constexpr int full[] = {0, 1, 1, 2, 2, 0};
+  constexpr int mixed[] = {1, 0, 2, 1, 0, 2};
+  Vec<3> v{{dark, dark, dark}};
+  v[full[sextant % 6]] = 1;
+  v[mixed[sextant % 6]] = between;
+  return v;
+}
+
 Vec<3> start_colour(const Colour& colour, std::size_t flock, Draws& draws) {
-  if (colour.start == "random") {
-    Vec<3> v;
-    for (int axis = 0; axis < 3; ++axis) v[axis] = draws.uniform();
-    return v;
-  }
-  const auto rgb = colour_of_hex(colour.start.empty() ? palette[flock % palette.size()] : colour.start);
-  return Vec<3>{rgb};
+  if (colour.start == "random") return random_colour(draws);
+  return Vec<3>{colour_of_hex(colour.start.empty() ? palette[flock % palette.size()] : colour.start)};
 }
 
 // What a boid has besides place and velocity, where the state keeps it at all.

@@ -1,0 +1,46 @@
+// The options that say which scenario is meant and what is changed about it; shared by run, render and show.
+#pragma once
+
+#include <sturnus/result.h>
+#include <sturnus/scenario.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace program {
+
+struct ScenarioOptions {
+  std::string scenario;          ///< shipped name or path
+  std::vector<std::string> set;  ///< "key=value"
+  std::optional<std::int64_t> count, seed, steps, first_step;
+  std::string index;    ///< empty: the scenario's
+  std::string initial;  ///< path as the caller's folder has it; empty: the scenario's
+};
+
+void add_scenario_options(CLI::App& command, ScenarioOptions& options);
+
+/// The scenario with all options applied, checked. Warnings go to standard error.
+sturnus::Result<sturnus::ScenarioDef> effective_scenario(const ScenarioOptions& options);
+
+/// Options of what steps a flock.
+struct WorkOptions {
+  std::optional<std::int64_t> threads;
+  bool quiet = false;
+
+  int thread_count() const { return static_cast<int>(threads.value_or(0)); }
+};
+
+void add_work_options(CLI::App& command, WorkOptions& options);
+
+/// "dir/" of "dir/file", empty when there is none.
+std::string folder_of(const std::string& path);
+/// Whether a path ends in .png or .ppm, in either case of letters.
+bool is_picture_name(const std::string& path);
+
+}  // namespace program
