@@ -14,7 +14,8 @@ namespace {
 
 bool names_state_files(const sturnus::ScenarioDef& scenario) {
   const auto has_file = [](const sturnus::FlockDef& flock) { return !flock.start.file.empty(); };
-  return !scenario.run.initial.empty() || std::any_of(scenario.flocks.begin(), scenario.flocks.end(), has_file);
+  return !scenario.run.initial.empty() ||
+         std::any_of(scenario.flocks.begin(), scenario.flocks.end(), has_file);
 }
 
 bool is_good(const std::string& file) {
@@ -36,7 +37,8 @@ bool is_good(const std::string& file) {
 }
 
 int check_files(const std::vector<std::string>& files) {
-  const auto bad = std::count_if(files.begin(), files.end(), [](const std::string& file) { return !is_good(file); });
+  const auto bad =
+      std::count_if(files.begin(), files.end(), [](const std::string& file) { return !is_good(file); });
   return bad == 0 ? done : bad_input;
 }
 
@@ -46,7 +48,9 @@ void add_check(CLI::App& app, Request& request) {
   CLI::App* command = add_command(app, "check", "Say everything that is wrong with scenario files",
                                   {"sturnus check my.toml", "sturnus check scenarios/*.toml"});
   const auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("FILE", *files, "Scenario files (and the state files that they name)")->required();
+  command->add_option("FILE", *files, "Scenario files (and the state files that they name)")
+      ->type_name("")
+      ->required();
   command->callback([&request, files] { request.work = [files] { return check_files(*files); }; });
 }
 

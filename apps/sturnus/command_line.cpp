@@ -14,7 +14,8 @@ namespace {
 std::optional<std::int64_t> whole_number(const std::string& text) {
   const sturnus::Value value = sturnus::parse_value(text);
   const auto* number = std::get_if<double>(&value.held);
-  if (number == nullptr || *number != std::floor(*number) || std::abs(*number) > 9007199254740992.0) return {};
+  if (number == nullptr || *number != std::floor(*number) || std::abs(*number) > 9007199254740992.0)
+    return {};
   return static_cast<std::int64_t>(*number);
 }
 
@@ -64,8 +65,8 @@ std::string first_example(const CLI::App& command) {
 
 std::string unknown_option(const CLI::App& app, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
-  return full_name(app) + ": unknown option " + quoted_with_guess(name, option_names(app)) + " (" + full_name(app) +
-         " --help lists them)";
+  return full_name(app) + ": unknown option " + quoted_with_guess(name, option_names(app)) + " (" +
+         full_name(app) + " --help lists them)";
 }
 
 std::string unknown_command(const CLI::App& app, const std::string& word) {
@@ -74,21 +75,22 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
       return "sturnus: \"" + word + "\" is a scenario, not a command; try: sturnus run " + word;
     }
   }
-  return "sturnus: unknown command " + quoted_with_guess(word, command_names(app)) + " (sturnus --help lists them)";
+  return "sturnus: unknown command " + quoted_with_guess(word, command_names(app)) +
+         " (sturnus --help lists them)";
 }
 
 }  // namespace
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& about,
                       const std::vector<std::string>& examples) {
-  CLI::App* command = app.add_subcommand(name, about);
+  CLI::App* command = app.add_subcommand(name, about)->group("Commands");
   command->allow_extras();  // they are found and explained by `unexpected_words`
   command->footer("Examples:\n  " + joined(examples, "\n  "));
   return command;
 }
 
-CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& place, std::int64_t low,
-                       std::int64_t high, const std::string& about) {
+CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& place,
+                       std::int64_t low, std::int64_t high, const std::string& about) {
   const auto store = [&place](const CLI::results_t& words) {
     place = whole_number(words.back());
     return place.has_value();
@@ -108,7 +110,9 @@ CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional
 
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& place, const std::string& type,
                       const std::string& about) {
-  return command.add_option(name, place, about)->type_name(type)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  return command.add_option(name, place, about)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& place,
@@ -145,8 +149,8 @@ std::string unexpected_words(const CLI::App& app) {
   if (!before.empty() && is_option(before.front())) {
     const bool of_command = &command != &app && command.get_option_no_throw(before.front()) != nullptr;
     if (!of_command) return unknown_option(app, before.front());
-    return "sturnus: the option \"" + before.front() + "\" comes after the command: sturnus " + command.get_name() + " " +
-           before.front();
+    return "sturnus: the option \"" + before.front() + "\" comes after the command: sturnus " +
+           command.get_name() + " " + before.front();
   }
   if (!before.empty()) return unknown_command(app, before.front());
   if (&command == &app) return {};
@@ -162,8 +166,8 @@ std::string sentence_of(const CLI::ParseError& error, const CLI::App& app) {
   const CLI::App& command = chosen_command(app);
   const std::string text = error.what();
   if (error.get_name() == "RequiredError") {
-    return full_name(command) + " needs " + text.substr(0, text.find(" is required")) + "; for example: " +
-           first_example(command);
+    return full_name(command) + " needs " + text.substr(0, text.find(" is required")) +
+           "; for example: " + first_example(command);
   }
   if (error.get_name() == "ArgumentMismatch") {
     return full_name(command) + ": " + text.substr(0, text.find(':')) + " needs a value";

@@ -16,8 +16,8 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
                       const std::vector<std::string>& examples);
 
 /// A whole number between `low` and `high`; 1e6 is one too. The last one given counts.
-CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& place, std::int64_t low,
-                       std::int64_t high, const std::string& about);
+CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& place,
+                       std::int64_t low, std::int64_t high, const std::string& about);
 /// A word or path. The last one given counts.
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& place, const std::string& type,
                       const std::string& about);

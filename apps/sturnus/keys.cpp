@@ -116,8 +116,13 @@ std::string table_of(const std::string& path) {
 std::string markdown_row(const ParameterRow& row) {
   std::string text = escaped(row.about.text);
   if (*row.about.formula != '\0') text += "; formula: " + code(row.about.formula);
-  const std::string cells[] = {code(row.path.substr(row.path.find_last_of('.') + 1)), escaped(row.kind), code(row.value),
-                               escaped(row.about.unit), escaped(range_text(row)), text, escaped(row.about.source)};
+  const std::string cells[] = {code(row.path.substr(row.path.find_last_of('.') + 1)),
+                               escaped(row.kind),
+                               code(row.value),
+                               escaped(row.about.unit),
+                               escaped(range_text(row)),
+                               text,
+                               escaped(row.about.source)};
   std::string out = "|";
   for (const std::string& cell : cells) out += " " + cell + " |";
   return out + "\n";
@@ -127,8 +132,10 @@ std::string markdown(const std::vector<ParameterRow>& rows) {
   std::string out =
       "# Scenario keys\n\n"
       "<!-- Written by `sturnus keys --markdown`; do not edit by hand. -->\n\n"
-      "Every key of a scenario file with its kind, default, unit and range. On the command line and in events a key is\n"
-      "its path, `--set flock.birds.separation.radius=30`, with the flock's name in place of `NAME`. Where a default is\n"
+      "Every key of a scenario file with its kind, default, unit and range. On the command line and in "
+      "events a key is\n"
+      "its path, `--set flock.birds.separation.radius=30`, with the flock's name in place of `NAME`. Where a "
+      "default is\n"
       "empty, the key is not given by default. `events` in `[run]` is described in the scenario guide.\n";
   std::vector<std::string> tables;
   for (const ParameterRow& row : rows) {
@@ -164,11 +171,12 @@ int keys(const KeysOptions& options) {
 }  // namespace
 
 void add_keys(CLI::App& app, Request& request) {
-  CLI::App* command =
-      add_command(app, "keys", "Explain the keys of scenario files",
-                  {"sturnus keys separation", "sturnus keys 'flock.*.radius'", "sturnus keys --markdown > keys.md"});
+  CLI::App* command = add_command(
+      app, "keys", "Explain the keys of scenario files",
+      {"sturnus keys separation", "sturnus keys 'flock.*.radius'", "sturnus keys --markdown > keys.md"});
   const auto options = std::make_shared<KeysOptions>();
-  command->add_option("PATTERN", options->pattern, "Part of a key, or a pattern with * and ?; all keys without it");
+  command->add_option("PATTERN", options->pattern,
+                      "Part of a key, or a pattern with * and ?; all keys without it");
   command->add_flag("--markdown", options->markdown, "Print the reference tables as a Markdown document");
   command->callback([&request, options] { request.work = [options] { return keys(*options); }; });
 }

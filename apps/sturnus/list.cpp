@@ -29,13 +29,15 @@ std::string summary(const sturnus::ShippedScenario& shipped) {
 
 int list() {
   std::size_t width = 0;
-  for (const auto& shipped : sturnus::shipped_scenarios()) width = std::max(width, std::string(shipped.name).size());
+  for (const auto& shipped : sturnus::shipped_scenarios())
+    width = std::max(width, std::string(shipped.name).size());
   std::string group;
   for (const auto& shipped : sturnus::shipped_scenarios()) {
     if (group != shipped.group) print((group.empty() ? "" : "\n") + std::string(shipped.group) + "\n");
     group = shipped.group;
     const std::string name = shipped.name;
-    print("  " + name + std::string(width - name.size() + 2, ' ') + cut(summary(shipped), line_width - width - 4) + "\n");
+    print("  " + name + std::string(width - name.size() + 2, ' ') +
+          cut(summary(shipped), line_width - width - 4) + "\n");
   }
   return done;
 }

@@ -32,7 +32,6 @@ void describe(CLI::App& app, Request& request) {
   app.get_formatter()->column_width(34);
   app.get_formatter()->label("OPTIONS", "options");
   app.get_formatter()->label("SUBCOMMAND", "command");
-  app.get_formatter()->label("Subcommands", "Commands");
   app.get_formatter()->label("Positionals", "Arguments");
   app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(
@@ -47,7 +46,8 @@ void describe(CLI::App& app, Request& request) {
   add_check(app, request);
 }
 
-// Reads the words; what is left to do stands in `request.work`, unless there is nothing left or nothing to be done.
+// Reads the words; what is left to do stands in `request.work`, unless there is nothing left or nothing to be
+// done.
 int read(CLI::App& app, Request& request) {
   try {
     app.parse(std::vector<std::string>(request.words.rbegin(), request.words.rend() - 1));

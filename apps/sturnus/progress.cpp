@@ -41,7 +41,8 @@ void Progress::draw(std::uint64_t steps_done, double seconds) {
   const std::string bar = std::string(full, '=') + std::string(bar_width - full, ' ');
   const std::string left = share > 0 ? ", " + time_text(seconds / share - seconds) + " left" : "";
   std::fprintf(stderr, "\r[%s] %3.0f %%  step %llu of %llu%s\x1b[K", bar.c_str(), 100 * share,
-               static_cast<unsigned long long>(steps_done), static_cast<unsigned long long>(steps_), left.c_str());
+               static_cast<unsigned long long>(steps_done), static_cast<unsigned long long>(steps_),
+               left.c_str());
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -6,7 +6,8 @@
 
 namespace program {
 
-/// Shows how much is done on standard error: only on a terminal, only after half a second, and gone at the end.
+/// Shows how much is done on standard error: only on a terminal, only after half a second, and gone at the
+/// end.
 class Progress {
  public:
   /// `wanted`: false shows nothing.

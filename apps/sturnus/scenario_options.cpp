@@ -22,8 +22,8 @@ using sturnus::Status;
 constexpr std::int64_t most = 9007199254740992;  // whole numbers up to here are exact everywhere
 
 // Sets a parameter on behalf of an option, which is what a complaint names.
-Status set_for(const std::string& option, ScenarioDef& scenario, const std::string& path, sturnus::Value value,
-               bool names_key = false) {
+Status set_for(const std::string& option, ScenarioDef& scenario, const std::string& path,
+               sturnus::Value value, bool names_key = false) {
   const Status status = set_parameter(scenario, path, value);
   if (status) return status;
   Problems problems = status.problems();
@@ -37,7 +37,8 @@ Status set_for(const std::string& option, ScenarioDef& scenario, const std::stri
 Status set_pair(ScenarioDef& scenario, const std::string& pair) {
   const auto equals = pair.find('=');
   if (equals == std::string::npos || equals == 0) {
-    return Problem{"--set", 0, "", "write key=value, such as flock.NAME.max_speed=12, but found \"" + pair + "\"", false};
+    return Problem{"--set", 0, "",
+                   "write key=value, such as flock.NAME.max_speed=12, but found \"" + pair + "\"", false};
   }
   const std::string key = pair.substr(0, equals);
   return set_for("--set", scenario, key, sturnus::parse_value(pair.substr(equals + 1)), true);
@@ -84,7 +85,9 @@ void tell_warnings(const Problems& of_file, const Problems& of_all) {
   tell(of_file);
   Problems more;
   for (const Problem& problem : of_all) {
-    const auto same = [&](const Problem& other) { return other.key == problem.key && other.text == problem.text; };
+    const auto same = [&](const Problem& other) {
+      return other.key == problem.key && other.text == problem.text;
+    };
     if (std::none_of(of_file.begin(), of_file.end(), same)) more.push_back(problem);
   }
   tell(more);
@@ -93,21 +96,24 @@ void tell_warnings(const Problems& of_file, const Problems& of_all) {
 }  // namespace
 
 void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
-  command.add_option("SCENARIO", options.scenario, "A shipped scenario (sturnus list) or the path of a file")->required();
+  command.add_option("SCENARIO", options.scenario, "A shipped scenario (sturnus list) or the path of a file")
+      ->required()
+      ->type_name("");
   add_whole(command, "--count", options.count, 0, 1000000000, "Boids in the one flock");
   add_whole(command, "--seed", options.seed, 0, most, "Seed of all random streams");
   add_whole(command, "--steps", options.steps, 0, 1000000000000000, "How many steps to do");
-  command
-      .add_option("--set", options.set, "Set any parameter, as often as wanted (sturnus keys lists them)")
+  command.add_option("--set", options.set, "Set any parameter, as often as wanted (sturnus keys lists them)")
       ->type_name("key=value")
       ->allow_extra_args(false);
   add_choice(command, "--index", options.index, {"all-pairs", "grid", "tree"}, "How neighbours are found");
   add_text(command, "--initial", options.initial, "STATE.csv", "Take the boids from a state file");
-  add_whole(command, "--first-step", options.first_step, 0, 1000000000000000, "The step at which that state stands");
+  add_whole(command, "--first-step", options.first_step, 0, 1000000000000000,
+            "The step at which that state stands");
 }
 
 void add_work_options(CLI::App& command, WorkOptions& options) {
-  add_whole(command, "--threads", options.threads, 0, 1024, "Threads; 0: one for each core. No result depends on it");
+  add_whole(command, "--threads", options.threads, 0, 1024,
+            "Threads; 0: one for each core. No result depends on it");
   command.add_flag("--quiet", options.quiet, "Say nothing but what went wrong");
 }
 

@@ -21,8 +21,9 @@ int show(const ScenarioOptions& options) {
 }  // namespace
 
 void add_show(CLI::App& app, Request& request) {
-  CLI::App* command = add_command(app, "show", "Print a scenario with all its defaults, as TOML that loads again",
-                                  {"sturnus show ucsd", "sturnus show ucsd --set flock.birds.max_speed=12 > fast.toml"});
+  CLI::App* command =
+      add_command(app, "show", "Print a scenario with all its defaults, as TOML that loads again",
+                  {"sturnus show ucsd", "sturnus show ucsd --set flock.birds.max_speed=12 > fast.toml"});
   const auto options = std::make_shared<ScenarioOptions>();
   add_scenario_options(*command, *options);
   command->callback([&request, options] { request.work = [options] { return show(*options); }; });

@@ -52,7 +52,7 @@ struct Separation {
   Strength strength = Strength::fades;
   Combine combine = Combine::sum;
   Whose of = {Whose::Kind::all, {}};
-  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
   double sample = 1.0;                  ///< share of the neighbours that are looked at, by chance, 0 to 1
   std::int64_t priority = 0;            ///< lower comes first under arbitration "budget" and "first"
   bool on = true;                       ///< a switch that keeps the weight
@@ -68,8 +68,8 @@ struct Alignment {
   Match match = Match::velocity;
   bool relative = true;     ///< average minus own; false: the average itself
   bool count_self = false;  ///< the boid is part of its own average
-  Whose of;
-  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  Whose of = {};
+  std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
   double sample = 1.0;                  ///< share, 0 to 1
   std::int64_t priority = 0;
   bool on = true;
@@ -85,8 +85,8 @@ struct Cohesion {
   Strength strength = Strength::grows;
   Combine combine = Combine::mean;
   bool count_self = false;  ///< divide by n + 1 instead of n
-  Whose of;
-  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  Whose of = {};
+  std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
   double sample = 1.0;                  ///< share, 0 to 1
   std::int64_t priority = 0;
   bool on = true;
@@ -96,11 +96,11 @@ struct Cohesion {
 /// Flee from other flocks in sight. heading: mean unit vector away minus own heading; seek: full speed away
 /// minus own velocity; linear: mean of -o.
 struct Flee {
-  std::vector<std::string> from;  ///< names of the flocks to flee from
+  std::vector<std::string> from = {};  ///< names of the flocks to flee from
   double radius = 45.0;           ///< length; how far they are seen
   double weight = 0.5;
   SteeringForm form = SteeringForm::heading;
-  std::optional<double> field_of_view;  ///< full angle in degrees; not given: the flock's
+  std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
   std::int64_t priority = 0;
   bool on = true;
   int order = 0;
@@ -152,7 +152,7 @@ struct Colour {
   std::string start;       ///< "#rrggbb", "random", or empty for the next colour of the palette
   double averaging = 0.0;  ///< share of the way to the neighbours' mean in one step, 0 to 1
   double noise = 0.0;      ///< each value moves by a uniform amount in [-this, this] each step, 0 to 1
-  Whose of;                ///< whose colours are averaged
+  Whose of = {};           ///< whose colours are averaged
 };
 
 /// A kind of boid: how many, how they start, what they feel, what limits them.

@@ -2,6 +2,7 @@
 #include "neighbours/kernel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -80,6 +81,7 @@ void add_contribution(NeighbourSum& sum, const NeighbourRow& row, const Boids& s
 template <int D>
 void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boids& sources, Span span,
                     const Image& image, NeighbourSum* sums) {
+  assert(span.end <= sources.count);
   for (std::size_t i = span.begin; i < span.end; ++i) {
     Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), image), 0};
     neighbour.distance_squared = dot(neighbour.offset, neighbour.offset);
@@ -166,6 +168,7 @@ template <int D>
 void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, const Boids& sources,
                     const NeighbourQuestion& question, std::span<NeighbourSum> sums) {
   const Model& model = *question.model;
+  assert(sums.size() >= end * model.most_rows);
   std::vector<Span> spans;
   for (std::size_t j = begin; j < end; ++j) {
     NeighbourSum* own = &sums[j * model.most_rows];

@@ -37,7 +37,7 @@ void add_outline(const View& view, const SceneColours& colours, DrawList& list) 
 
 void add_index(const SceneOptions& options, const SceneColours& colours, DrawList& list) {
   for (const auto& corners : options.index_boxes) {
-    list.boxes.push_back({Vec<3>{corners[0]}, Vec<3>{corners[1]}, colours.grid, 1.0f, {0, 0, 0, 0}});
+    list.boxes.push_back({Vec<3>{corners[0]}, Vec<3>{corners[1]}, colours.outline, 1.0f, {0, 0, 0, 0}});
   }
 }
 

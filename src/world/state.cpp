@@ -2,6 +2,7 @@
 #include "world/state.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -17,6 +18,7 @@ namespace {
 template <class T>
 void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
   if (array.empty() || order.empty()) return;
+  assert(order.size() == array.size());
   std::vector<T> moved(array.size());
   for (std::size_t i = 0; i < order.size(); ++i) moved[i] = array[order[i]];
   array.swap(moved);
@@ -54,6 +56,7 @@ void reorder(Columns& columns, const std::vector<std::uint32_t>& order) {
 void keep(State& state, const std::vector<std::uint8_t>& marks) {
   for_each_array(state, [&](auto& array) {
     if (array.empty()) return;
+    assert(marks.size() == array.size());
     std::size_t kept = 0;
     for (std::size_t i = 0; i < marks.size(); ++i) {
       if (marks[i] != 0) array[kept++] = array[i];
