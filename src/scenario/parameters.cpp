@@ -94,7 +94,7 @@ class PathWalker : public FieldVisitor {
     } else if (rest.empty()) {
       error_ = say("\"", name, "\" is a table; name one of its keys, such as ", name, ".", inner.known().front());
     } else {
-      error_ = unknown_word(say("key of \"", name, "\""), inner.head(), inner.known());
+      error_ = unknown_word("key", inner.head(), inner.known());
     }
   }
 
