@@ -70,7 +70,7 @@ std::string nearest_key(const std::string& pattern) {
 }
 
 bool is_number(const ParameterRow& row) {
-  return row.kind.find("number") != std::string::npos;
+  return row.kind.find("number") != std::string::npos || row.kind == "[low, high]";
 }
 
 std::string range_text(const ParameterRow& row) {
@@ -81,7 +81,7 @@ std::string range_text(const ParameterRow& row) {
   if (has_low && has_high) return sturnus::number_text(low) + " to " + sturnus::number_text(high) + may;
   if (has_low) return "from " + sturnus::number_text(low) + may;
   if (has_high) return "up to " + sturnus::number_text(high) + may;
-  return row.about.may_be_infinite ? "any, or inf" : "any";
+  return {};
 }
 
 // One key as a paragraph.

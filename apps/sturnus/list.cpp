@@ -16,8 +16,8 @@ constexpr std::size_t line_width = 110;
 // Cut between words where a line would be too long.
 std::string cut(const std::string& text, std::size_t width) {
   if (text.size() <= width) return text;
-  const auto space = text.find_last_of(' ', width - 3);
-  return text.substr(0, space == std::string::npos ? width - 3 : space) + " ...";
+  const auto space = text.find_last_of(' ', width - 4);
+  return text.substr(0, space == std::string::npos ? width - 4 : space) + " ...";
 }
 
 std::string summary(const sturnus::ShippedScenario& shipped) {

@@ -33,8 +33,8 @@ Viewpoint viewpoint_of(const View& view, Size size) {
   Viewpoint given = look_at(vec_of(camera.eye, fitted.eye), target, fitted.up, field_of_view);
   const float middle = length(target - given.eye);
   const float half = 0.5f * length(frame.high - frame.low);
-  given.fade_from = middle > half ? middle - half : 0;
-  given.fade_to = middle + half;
+  given.fade_from = middle > half ? middle - 0.5f * half : 0;
+  given.fade_to = middle + 1.5f * half;
   return given;
 }
 

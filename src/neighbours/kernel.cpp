@@ -171,14 +171,14 @@ void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, co
   assert(sums.size() >= end * model.most_rows);
   std::vector<Span> spans;
   for (std::size_t j = begin; j < end; ++j) {
-    NeighbourSum* own = &sums[j * model.most_rows];
+    NeighbourSum* own = sums.data() + j * model.most_rows;
     std::fill(own, own + model.most_rows, NeighbourSum{});
     if (targets.flock_bit[j] == 0) continue;
     const FlockModel& flock = model.flocks[targets.flock[j]];
     if (question.index != nullptr && flock.reach_squared > 0) {
       const auto velocity = at<D>(targets.velocity, j);
       const Target<D> target{targets.id[j], at<D>(targets.position, j), velocity, length(velocity),
-                             static_cast<std::uint32_t>(fold(fold(model.seed, question.step), targets.id[j]))};
+                             static_cast<std::uint32_t>(fold(fold(fold(0, model.seed), question.step), targets.id[j]))};
       std::array<float, 3> place{};
       for (int axis = 0; axis < D; ++axis) place[static_cast<std::size_t>(axis)] = target.position[axis];
       question.index->spans(place, spans);

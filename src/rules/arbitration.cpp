@@ -23,8 +23,8 @@ Vec<D> capped(const Vec<D>& v, float longest) {
 
 template <int D>
 Vec<D> limited(const Vec<D>& velocity, float min_speed, float max_speed) {
-  const float speed = length(velocity);
-  if (!(speed > 0)) return velocity;
+  const float speed = safe_length(velocity);
+  if (!(speed > 0) || !std::isfinite(speed)) return velocity;
   if (speed > max_speed) return velocity * (max_speed / speed);
   if (speed < min_speed) return velocity * (min_speed / speed);
   return velocity;

@@ -41,6 +41,9 @@ void keep_inside(const Model& model, Vec<D>& position, Vec<D>& velocity) {
       float inside = position[axis] - model.min[i];
       if (fold_back(inside, model.size[i])) velocity[axis] = -velocity[axis];
       position[axis] = model.min[i] + inside;
+      // From far away the fold is only as exact as the coordinate was.
+      if (position[axis] < model.min[i]) position[axis] = model.min[i];
+      if (position[axis] > model.max[i]) position[axis] = model.max[i];
     }
   }
 }

@@ -26,12 +26,26 @@ bool is_quoted(std::string_view text) {
   return text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
 }
 
+// The control character behind \u00xx, the only such form that `quoted` writes.
+std::optional<char> control_character(std::string_view text) {
+  int code = 0;
+  if (!text.starts_with("u00") || text.size() < 5) return {};
+  const auto [end, error] = std::from_chars(text.data() + 3, text.data() + 5, code, 16);
+  if (error != std::errc{} || end != text.data() + 5 || code > 0x7f) return {};
+  return static_cast<char>(code);
+}
+
 std::string unescaped(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\\' && i + 1 < text.size()) {
       ++i;
-      out += text[i] == 'n' ? '\n' : text[i] == 't' ? '\t' : text[i];
+      if (const auto control = control_character(text.substr(i))) {
+        out += *control;
+        i += 4;
+      } else {
+        out += text[i] == 'n' ? '\n' : text[i] == 't' ? '\t' : text[i];
+      }
     } else {
       out += text[i];
     }

@@ -1,21 +1,38 @@
 // Bad numbers: one bad boid is put out of play and counted, and spoils nobody else.
-#include <cmath>
-
 #include "step/step.h"
+#include "world/state.h"
 
 namespace sturnus {
 
-bool is_sound(float value) { return std::abs(value) <= 1e15f; }
+namespace {
+
+bool all_sound(const Columns& columns, std::size_t i) {
+  for (const auto& column : columns) {
+    if (!column.empty() && !is_sound(column[i])) return false;
+  }
+  return true;
+}
+
+// Puts something harmless in the place of what is bad: the given value on the first axis, 0 on the others.
+void mend(Columns& columns, std::size_t i, float first) {
+  if (all_sound(columns, i)) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!columns[axis].empty()) columns[axis][i] = axis == 0 ? first : 0;
+  }
+}
+
+}  // namespace
 
 void quarantine(const Model& model, State& state) {
   const auto axes = static_cast<std::size_t>(model.dimensions);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    bool sound = true;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      sound = sound && is_sound(state.position[axis][i]) && is_sound(state.velocity[axis][i]);
+    if (all_sound(state.position, i) && all_sound(state.velocity, i) && all_sound(state.wander, i) &&
+        all_sound(state.colour, i)) {
+      continue;
     }
-    if (sound) continue;
     state.quarantined[i] = 1;
+    mend(state.wander, i, 1);
+    mend(state.colour, i, 0);
     for (std::size_t axis = 0; axis < axes; ++axis) {
       state.velocity[axis][i] = 0;
       // No earlier place is known here: what is bad becomes the middle of the space.

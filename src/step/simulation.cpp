@@ -164,6 +164,7 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   }
   if (!problems.empty()) return problems;
   wrap_positions(world->model, world->state);
+  quarantine(world->model, world->state);
   if (all != nullptr) world->do_past_settings();
   world->do_events();
   return Simulation(std::move(world));

@@ -12,9 +12,6 @@ void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch
 
 /// Puts boids with values that are not finite or beyond 1e15 out of play: at rest, where they last were well.
 void quarantine(const Model& model, State& state);
-/// A coordinate that a step may compute with.
-bool is_sound(float value);
-
 /// The places of the boids, as an index needs them. Hidden are those in quarantine.
 Cloud cloud_of(const Model& model, const State& state);
 /// How the model's space wraps.

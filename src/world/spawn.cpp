@@ -35,10 +35,14 @@ Vec<D> in_box(const Vec<D>& min, const Vec<D>& max, Draws& draws) {
   return at;
 }
 
-// In the ball, or outside its inner radius, by rejection; a ring without width is drawn on its circle.
+// In the ball, or outside its inner radius, by rejection; a thin ring, which would reject nearly all, is drawn along
+// its circle.
 template <int D>
 Vec<D> in_ring(const Vec<D>& centre, float inner, float outer, Draws& draws) {
-  if (inner >= outer) return centre + draws.direction<D>() * outer;
+  if (inner > 0.95f * outer) {
+    const auto direction = draws.direction<D>();
+    return centre + direction * draws.between(inner, outer);
+  }
   for (;;) {
     const Vec<D> offset = draws.in_ball<D>() * outer;
     if (dot(offset, offset) >= inner * inner) return centre + offset;

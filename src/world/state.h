@@ -29,7 +29,11 @@ void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
 void keep(State& state, const std::vector<std::uint8_t>& marks);
 
 
-/// Wraps a coordinate into [min, max) of a space of that size by floored modulo; exactly max becomes min.
+/// A number that a step may compute with: finite, and not beyond 1e15.
+bool is_sound(float value);
+
+/// Wraps a coordinate into [min, max) of a space of that size by floored modulo; exactly max becomes min. What is
+/// not sound stays as it is, for the quarantine to see.
 float wrapped(float coordinate, float min, float max);
 
 /// Bytes that a run of that many boids needs, and bytes that the machine has to give.
