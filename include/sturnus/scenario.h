@@ -46,7 +46,7 @@ struct Whose {
 /// Steer away from neighbours: combine over them of -(o/d) s(d), o the offset to the neighbour, d = |o|.
 struct Separation {
   double weight = 1.0;
-  double radius = 12.0;  ///< length; neighbours farther than this do not count, 0 means nobody
+  double radius = 8.0;   ///< length; neighbours farther than this do not count, 0 means nobody
   double inner = 0.0;    ///< length; nor do those nearer than this
   Edge edge = Edge::open;
   Strength strength = Strength::fades;
@@ -61,7 +61,7 @@ struct Separation {
 
 /// Steer toward the average velocity or heading of the neighbours.
 struct Alignment {
-  double weight = 0.12;
+  double weight = 0.15;
   double radius = 30.0;  ///< length; infinity means the whole population
   double inner = 0.0;    ///< length
   Edge edge = Edge::open;
@@ -79,7 +79,7 @@ struct Alignment {
 /// Steer toward the neighbours: mean over them of (o/d) s(d).
 struct Cohesion {
   double weight = 0.004;
-  double radius = 30.0;  ///< length; infinity means the whole population (not in a wrapped space)
+  double radius = 20.0;  ///< length; infinity means the whole population (not in a wrapped space)
   double inner = 0.0;    ///< length
   Edge edge = Edge::open;
   Strength strength = Strength::grows;
@@ -141,8 +141,8 @@ struct Start {
   Coordinates centre;               ///< ball and ring: length; not given: the middle of the space
   double radius = 1.0;              ///< ball and ring: outer radius, length
   double inner = 0.0;               ///< ring: inner radius, length
-  double min_speed = 0.5;           ///< length per time; speeds are uniform between the two
-  double max_speed = 2.0;           ///< length per time
+  double min_speed = 1.5;           ///< length per time; speeds are uniform between the two
+  double max_speed = 3.0;           ///< length per time
   Coordinates heading;              ///< direction of all; not given: every boid its own, at random
   std::string file;                 ///< state CSV to take this flock's boids from instead, relative to the scenario
 };
@@ -160,9 +160,9 @@ struct FlockDef {
   std::string name = "boids";
   std::int64_t count = 300;
   Start start;
-  double min_speed = 1.0;            ///< length per time; a boid at rest stays at rest
-  double max_speed = 2.0;            ///< length per time
-  double max_acceleration = 0.15;    ///< length per time squared; the cap on the sum of all terms
+  double min_speed = 1.5;            ///< length per time; a boid at rest stays at rest
+  double max_speed = 3.0;            ///< length per time
+  double max_acceleration = 0.25;    ///< length per time squared; the cap on the sum of all terms
   double field_of_view = 360.0;      ///< full angle in degrees; 360 sees all round
   Arbitration arbitration = Arbitration::weighted;
   std::vector<Separation> separation = {Separation{}};
@@ -174,7 +174,7 @@ struct FlockDef {
   std::optional<Noise> noise;
   Colour colour;
   std::optional<GlyphStyle> glyph;   ///< how a boid is drawn; not given: dart in 2D, cone in 3D
-  double size = 6.0;            ///< length of a drawn boid
+  double size = 5.0;            ///< length of a drawn boid
   double body_radius = 1.0;     ///< length; what touches
 };
 
@@ -189,7 +189,10 @@ struct Space {
   std::int64_t dimensions = 2;  ///< 2 or 3
   Coordinates min;              ///< length; lower corner
   Coordinates max;              ///< length; upper corner
-  double per_boid = 300.0;      ///< area or volume for each boid where no corners are given: the space grows with the count
+  /// Area or volume for each boid where no corners are given: the space is a square or cube about the origin that
+  /// grows with the count. Not given: a square or cube of side `usual_spacing` for each boid.
+  std::optional<double> per_boid;
+  static constexpr double usual_spacing = 10.0;  ///< length
   Boundary boundary;
 };
 

@@ -94,7 +94,8 @@ class Simulation {
   /// Adds a rule of one's own, with a weight of 1 and a place in the order of terms. Kept over `restore`; not
   /// part of the scenario.
   void add_rule(std::string name, std::int64_t priority, Rule rule);
-  /// Accelerations from outside, felt in the next step only, by slot of the present view.
+  /// Accelerations from outside, felt in the next step only, by slot of the present view; forgotten when a command
+  /// adds or erases boids before that.
   Accelerations external();
 
   /// The places of the neighbour index's cells or leaves, for pictures: min and max corner of each.

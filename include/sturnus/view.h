@@ -63,7 +63,8 @@ class View {
   std::array<float, 3> position(std::size_t slot) const { return at(state_->position, slot); }
   std::array<float, 3> velocity(std::size_t slot) const { return at(state_->velocity, slot); }
 
-  /// Whether the last step is known: not before the first step, nor after a restore or a command.
+  /// Whether the last step is known: not before the first step, nor after a restore or a command that adds, erases or
+  /// moves boids.
   bool has_previous() const { return size() > 0 && (*previous_position_)[0].size() == size(); }
   std::array<float, 3> previous_position(std::size_t slot) const { return at(*previous_position_, slot); }
   std::array<float, 3> previous_velocity(std::size_t slot) const { return at(*previous_velocity_, slot); }

@@ -53,14 +53,17 @@ struct Workers::Team {
       : count(wanted > 0 ? wanted : cores())
 #ifdef STURNUS_TBB
         ,
-        allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(std::max(count, cores()))),
         arena(count)
 #endif
   {
+#ifdef STURNUS_TBB
+    // One limit for all teams, since the lowest of several counts; threads are only started where a team asks.
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                             static_cast<std::size_t>(std::max(256, cores())));
+#endif
   }
   int count;
 #ifdef STURNUS_TBB
-  tbb::global_control allowed;
   tbb::task_arena arena;
 #endif
 };

@@ -54,7 +54,7 @@ class Checker {
     if (space.min.empty() != space.max.empty()) {
       return say_error(space.min.empty() ? "space.min" : "space.max", "is missing; min and max go together");
     }
-    if (space.min.empty() && !(space.per_boid > 0)) {
+    if (space.min.empty() && space.per_boid && !(*space.per_boid > 0)) {
       return say_error("space.per_boid", "must be above 0, or give space.min and space.max");
     }
     for (std::size_t axis = 0; axis < std::min(space.min.size(), space.max.size()); ++axis) {
@@ -94,6 +94,7 @@ class Checker {
       check_start(flock.start, prefix + "start.");
       check_terms(flock, prefix);
       check_colour(flock.colour, prefix + "colour.");
+      check_seek(scenario_.pointer.form, flock, "pointer.form");
     }
   }
 
@@ -175,7 +176,13 @@ class Checker {
     for (const Flee& flee : flock.flee) {
       if (flee.from.empty()) say_error(prefix + "flee.from", "names nobody to flee from");
       check_names(flee.from, prefix + "flee.from");
+      check_seek(flee.form, flock, prefix + "flee.form");
     }
+  }
+
+  void check_seek(SteeringForm form, const FlockDef& flock, const std::string& key) {
+    if (form != SteeringForm::seek || !std::isinf(flock.max_speed)) return;
+    say_error(key, say("\"seek\" goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
   }
 
   void check_colour(const Colour& colour, const std::string& prefix) {

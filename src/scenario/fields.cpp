@@ -228,7 +228,7 @@ void visit_space(Space& space, FieldVisitor& visitor) {
   visitor.field("min", CoordinatesRef{&space.min}, {"length", "lower corner; with max, or per_boid in place of both"});
   visitor.field("max", CoordinatesRef{&space.max}, {"length", "upper corner"});
   visitor.field("per_boid", &space.per_boid,
-                {"area or volume", "the space is a square or cube about the origin that grows with the number of boids; 0 where min and max are given", 0, infinity});
+                {"area or volume", "the space is a square or cube about the origin that grows with the number of boids; default: 10 by 10 (by 10) for each", 0, infinity});
   visitor.table("boundary", {"", "what happens at the edge"},
                 [&](FieldVisitor& inner) { visit_boundary(space.boundary, inner); }, "kind");
 }

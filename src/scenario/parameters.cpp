@@ -1,6 +1,7 @@
 // Parameters by their paths: set one, show one, list all.
 #include <sturnus/parameters.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/text.h"
@@ -22,12 +23,33 @@ std::optional<std::size_t> index_in(std::string_view text) {
   return index;
 }
 
+// The highest place in the file that any term has.
+class LastOrder : public FieldVisitor {
+ public:
+  void field(std::string_view, FieldRef, const About&) override {}
+  void table(std::string_view, const About&, const std::function<void(FieldVisitor&)>& visit_inside,
+             std::string_view) override {
+    visit_inside(*this);
+  }
+  void items(std::string_view, const About&, const Items& items) override {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (items.order) last_ = std::max(last_, *items.order(i));
+      items.visit(i, *this);
+    }
+  }
+  int last() const { return last_; }
+
+ private:
+  int last_ = 0;
+};
+
 // Walks down a path and hands the place at its end to `use`.
 class PathWalker : public FieldVisitor {
  public:
   using Use = std::function<std::optional<std::string>(const FieldRef&, const About&)>;
-  PathWalker(std::string_view path, bool may_create, Use use)
-      : path_(path), may_create_(may_create), use_(std::move(use)) {}
+  /// `new_order`: the place in the file that a term gets which is not there yet; without it none is made.
+  PathWalker(std::string_view path, std::optional<int> new_order, Use use)
+      : path_(path), new_order_(new_order), use_(std::move(use)) {}
 
   void field(std::string_view key, FieldRef place, const About& about) override {
     known_.emplace_back(key);
@@ -57,7 +79,10 @@ class PathWalker : public FieldVisitor {
       after = rest;
       index = 0;
     }
-    if (items.size() == 0 && may_create_) items.resize(1);
+    if (items.size() == 0 && new_order_) {
+      items.resize(1);
+      if (items.order) *items.order(0) = *new_order_;
+    }
     if (*index >= items.size() || (items.size() > 1 && after.data() == rest.data())) {
       found_ = true;
       error_ = items.size() == 0 ? say("there is no ", key, " here")
@@ -86,7 +111,7 @@ class PathWalker : public FieldVisitor {
   }
 
   void enter(std::string_view rest, std::string_view name, const std::function<void(FieldVisitor&)>& visit_inside) {
-    PathWalker inner(rest, may_create_, use_);
+    PathWalker inner(rest, new_order_, use_);
     visit_inside(inner);
     found_ = true;
     if (inner.found()) {
@@ -99,7 +124,7 @@ class PathWalker : public FieldVisitor {
   }
 
   std::string_view path_;
-  bool may_create_;
+  std::optional<int> new_order_;
   Use use_;
   bool found_ = false;
   std::optional<std::string> error_;
@@ -107,7 +132,9 @@ class PathWalker : public FieldVisitor {
 };
 
 Status walk(ScenarioDef& scenario, std::string_view path, bool may_create, PathWalker::Use use) {
-  PathWalker walker(path, may_create, std::move(use));
+  LastOrder order;
+  visit(scenario, order);
+  PathWalker walker(path, may_create ? std::optional(order.last() + 1) : std::nullopt, std::move(use));
   visit(scenario, walker);
   Problem problem{scenario.file, 0, std::string(path), "", false};
   if (!walker.found()) {

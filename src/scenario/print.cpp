@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "scenario/assign.h"
 #include "scenario/events.h"
+#include "scenario/extent.h"
 
 namespace sturnus {
 namespace {
@@ -103,7 +104,7 @@ class TomlPrinter : public FieldVisitor {
 
 std::string to_toml(const ScenarioDef& scenario) {
   ScenarioDef copy = scenario;  // visiting hands out places to write to
-  if (!copy.space.min.empty()) copy.space.per_boid = 0;
+  copy.space.per_boid = scenario.space.min.empty() ? std::optional(per_boid_of(scenario.space)) : std::nullopt;
   TomlPrinter printer;
   visit(copy, printer);
   std::string out = printer.all();

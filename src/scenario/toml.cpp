@@ -243,9 +243,8 @@ void read_root(const toml::table& root, Reading& reading) {
   if (!root.contains("flock")) {
     reading.problems.push_back({reading.file, 0, "flock", "the file has no [[flock]]; the shortest scenario is [[flock]] with count = 300", false});
   }
-  // Files that the program writes say per_boid = 0 beside the corners.
   const toml::node* per_boid = root["space"]["per_boid"].node();
-  if (per_boid != nullptr && per_boid->value<double>() != 0.0 && root["space"]["min"]) {
+  if (per_boid != nullptr && root["space"]["min"]) {
     reading.say_error(*per_boid, "space.per_boid", "give per_boid, or min and max, not both");
   }
 }

@@ -76,6 +76,14 @@ struct Simulation::World {
     const bool changes_model = std::holds_alternative<SetParameter>(command);
     if (!apply(command, scenario, model, state)) ++report.commands_in_vain;
     if (changes_model) add_custom_terms();
+    if (std::holds_alternative<AddBoids>(command) || std::holds_alternative<EraseBoids>(command)) outside.external = {};
+    if (!changes_model && !std::holds_alternative<MovePointer>(command)) forget_last_step();
+  }
+
+  // What was before the last step no longer belongs to the boids that are there now.
+  void forget_last_step() {
+    scratch.previous_position = {};
+    scratch.previous_velocity = {};
   }
 
   // Does every logged event whose step has come.
@@ -172,6 +180,7 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
 
 void Simulation::step() {
   World& world = *world_;
+  world.do_events();  // after a restore, those of this very step
   sturnus::step(world.model, world.scenario, world.state, world.scratch, world.outside, world.workers);
   world.outside.external = {};
   world.do_events();
@@ -237,8 +246,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   world.log.assign(data.log.begin(), data.log.begin() + static_cast<std::ptrdiff_t>(data.done));
   world.done = world.log.size();
   world.log.insert(world.log.end(), later.begin(), later.end());
-  world.scratch.previous_position = {};
-  world.scratch.previous_velocity = {};
+  world.forget_last_step();
   world.outside.external = {};
 }
 

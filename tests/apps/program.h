@@ -42,6 +42,7 @@ class Running {
   pid_t id() const { return id_; }
   /// Waits until the program handles Ctrl-C, i.e. works; false when it ended before.
   bool wait_until_it_works() const;
+  /// Waits for its end, but not for ever: after a minute it is killed.
   Ended wait();
 
  private:

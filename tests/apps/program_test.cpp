@@ -48,6 +48,17 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return out;
 }
 
+// A program that should have refused 1e12 steps and does them instead must not stay.
+bool wait_or_kill(pid_t id, int* status) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  for (;;) {
+    const pid_t ended = waitpid(id, status, WNOHANG);
+    if (ended != 0) return ended == id;
+    if (std::chrono::steady_clock::now() > end) ::kill(id, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
 }  // namespace
 
 Running::Running(const Words& words, const StartOptions& options)
@@ -123,7 +134,7 @@ bool Running::wait_until_it_works() const {
 Ended Running::wait() {
   Ended ended;
   int status = 0;
-  if (id_ > 0 && waitpid(id_, &status, 0) == id_) {
+  if (id_ > 0 && wait_or_kill(id_, &status)) {
     ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   id_ = -1;

@@ -1,0 +1,213 @@
+// The one list of parameters: every path can be set, shown, printed and read back; every bad value is refused with
+// line and key.
+#include <gtest/gtest.h>
+#include <sturnus/parameters.h>
+
+#include <algorithm>
+#include <set>
+
+#include "support.h"
+
+namespace sturnus::test {
+namespace {
+
+constexpr const char* file = "test.toml";
+
+/// A row's path in a scenario whose only flock is called "boids".
+std::string path_of(const ParameterRow& row) {
+  std::string path = row.path;
+  if (const auto name = path.find("NAME"); name != std::string::npos) path.replace(name, 4, "boids");
+  return path;
+}
+
+bool is_in_flock(const ParameterRow& row) { return row.path.starts_with("flock.NAME."); }
+
+/// A file in which that key has that value, on the line that `line_of` tells.
+std::string file_with(const ParameterRow& row, const std::string& key, const std::string& value) {
+  if (is_in_flock(row)) return "[[flock]]\n" + key.substr(11) + " = " + value + "\n";
+  return key + " = " + value + "\n[[flock]]\n";
+}
+int line_of(const ParameterRow& row) { return is_in_flock(row) ? 2 : 1; }
+
+bool is_number(const ParameterRow& row) { return row.kind == "number" || row.kind == "whole number"; }
+bool is_list_of_numbers(const ParameterRow& row) {
+  return row.kind == "list of numbers" || row.kind == "[low, high]" || row.kind == "number or list of numbers";
+}
+
+/// Expects a sentence with file, line and key.
+void expect_problem(const ParameterRow& row, const std::string& value, const std::string& part) {
+  const Result<ScenarioDef> result = parse_scenario(file_with(row, row.path, value), file);
+  ASSERT_FALSE(result) << row.path << " = " << value << " was taken";
+  const auto names_it = [&](const Problem& problem) {
+    const std::string sentence = problem.sentence();
+    const std::string start = std::string(file) + ":" + std::to_string(line_of(row)) + ": " + path_of(row);
+    return sentence.starts_with(start) && sentence.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(result.problems().begin(), result.problems().end(), names_it))
+      << row.path << " = " << value << " gave\n" << result.error();
+}
+
+std::string wrong_type_for(const ParameterRow& row) {
+  if (row.kind == "text") return "5";
+  if (row.kind == "true or false") return "\"yes\"";
+  if (row.kind.starts_with("list of texts")) return "[5]";
+  return "true";
+}
+
+TEST(EveryParameter, RefusesTheWrongType) {
+  for (const ParameterRow& row : parameter_rows()) {
+    if (row.path == "flock.NAME.name") continue;  // the key then has no name to stand under
+    expect_problem(row, wrong_type_for(row), "must be");
+    expect_problem(row, "1979-05-27", "date");
+  }
+}
+
+TEST(EveryParameter, RefusesWhatIsNoNumber) {
+  for (const ParameterRow& row : parameter_rows()) {
+    if (is_number(row) || row.kind == "number or [inner, outer]") expect_problem(row, "nan", "nan");
+    if (is_list_of_numbers(row)) expect_problem(row, "[nan, 1]", "nan");
+    if (row.kind == "number or [inner, outer]") expect_problem(row, "[nan, 1]", "nan");
+  }
+}
+
+TEST(EveryParameter, RefusesWhatIsOutOfRange) {
+  int tried = 0;
+  for (const ParameterRow& row : parameter_rows()) {
+    if (!is_number(row)) continue;
+    if (std::isfinite(row.about.low)) expect_problem(row, number_text(row.about.low - 1), "must");
+    if (std::isfinite(row.about.high)) {
+      const double beyond = row.about.high + std::max(1.0, 1e-9 * row.about.high);
+      expect_problem(row, number_text(beyond), "must");
+    }
+    if (!row.about.may_be_infinite) expect_problem(row, "inf", "must");
+    expect_problem(row, "-inf", "must");
+    if (row.kind == "whole number") expect_problem(row, "2.5", "must");
+    ++tried;
+  }
+  EXPECT_GT(tried, 50);
+}
+
+TEST(EveryParameter, RefusesUnknownNeighboursWithTheirNearestName) {
+  for (const ParameterRow& row : parameter_rows()) {
+    const std::string wrong = row.path + "x";
+    const Result<ScenarioDef> result = parse_scenario(file_with(row, wrong, "1"), file);
+    ASSERT_FALSE(result) << wrong;
+    const std::string last = row.path.substr(row.path.rfind('.') + 1);
+    const Problem& problem = result.problems().front();
+    EXPECT_EQ(problem.line, line_of(row)) << wrong;
+    EXPECT_EQ(problem.key, path_of(row) + "x");
+    EXPECT_NE(problem.text.find("did you mean \"" + last + "\"?"), std::string::npos) << wrong << ": " << problem.text;
+  }
+}
+
+TEST(EveryParameter, RefusesToBeGivenTwice) {
+  for (const ParameterRow& row : parameter_rows()) {
+    const std::string key = is_in_flock(row) ? row.path.substr(11) : row.path;
+    const std::string twice = key + " = 1\n" + key + " = 1\n";
+    const Result<ScenarioDef> result = parse_scenario(is_in_flock(row) ? "[[flock]]\n" + twice : twice, file);
+    ASSERT_FALSE(result) << row.path;
+    const Problem& problem = result.problems().front();
+    EXPECT_EQ(problem.line, line_of(row) + 1) << row.path << ": " << problem.sentence();
+    EXPECT_NE(problem.text.find(row.path.substr(row.path.rfind('.') + 1)), std::string::npos) << problem.text;
+  }
+}
+
+/// Values worth trying, the default first.
+std::vector<std::string> candidates(const ParameterRow& row) {
+  std::vector<std::string> out;
+  if (!row.value.empty()) out.push_back(row.value);
+  if (row.kind == "true or false") out.insert(out.end(), {"true", "false"});
+  if (is_number(row)) out.insert(out.end(), {"1", "0.5", "3", "30", "0.001"});
+  if (row.kind == "text") out.insert(out.end(), {"\"#102030\"", "\"fish\""});
+  if (row.kind == "list of texts") out.insert(out.end(), {"[\"a\", \"b\"]"});
+  if (is_list_of_numbers(row)) out.insert(out.end(), {"[0.25, 0.75]", "[1, 2, 3]"});
+  if (row.kind == "number or [inner, outer]") out.insert(out.end(), {"7", "[2, 5]"});
+  if (row.kind.starts_with("\"own\"")) out.insert(out.end(), {"\"own\"", "\"all\"", "[\"boids\"]"});
+  for (std::size_t at = 0; row.kind.starts_with("\"") && at < row.kind.size();) {
+    const auto end = row.kind.find(" | ", at);
+    const std::string word = row.kind.substr(at, end == std::string::npos ? end : end - at);
+    if (word.starts_with("\"")) out.push_back(word);
+    at = end == std::string::npos ? row.kind.size() : end + 3;
+  }
+  return out;
+}
+
+TEST(EveryParameter, CanBeSetAndShownByItsPath) {
+  for (const ParameterRow& row : parameter_rows()) {
+    int taken = 0;
+    for (const std::string& value : candidates(row)) {
+      ScenarioDef scenario;
+      if (!set_parameter(scenario, path_of(row), parse_value(value))) continue;
+      ++taken;
+      const std::string path = row.path == "flock.NAME.name" ? "flock." + scenario.flocks.front().name + ".name" : path_of(row);
+      const auto shown = get_parameter(scenario, path);
+      ASSERT_TRUE(static_cast<bool>(shown)) << shown.error();
+      EXPECT_EQ(*shown, to_text(parse_value(value))) << row.path;
+    }
+    EXPECT_GE(taken, row.path == "format" ? 1 : 2) << row.path << " (" << row.kind << ")";
+  }
+}
+
+TEST(EveryParameter, IsPrintedAndReadBack) {
+  std::set<std::string> never;
+  for (const ParameterRow& row : parameter_rows()) {
+    bool printed = false;
+    for (const std::string& value : candidates(row)) {
+      ScenarioDef scenario;
+      if (!set_parameter(scenario, path_of(row), parse_value(value)) || value == row.value) continue;
+      if (has_errors(check(scenario))) continue;
+      const Result<ScenarioDef> read = parse_scenario(to_toml(scenario), file);
+      ASSERT_TRUE(static_cast<bool>(read)) << row.path << " = " << value << "\n" << read.error();
+      const std::string path = row.path == "flock.NAME.name" ? "flock." + scenario.flocks.front().name + ".name" : path_of(row);
+      EXPECT_EQ(*get_parameter(*read, path), to_text(parse_value(value))) << row.path;
+      EXPECT_EQ(to_toml(*read), to_toml(scenario)) << row.path;
+      printed = true;
+    }
+    if (!printed) never.insert(row.path);
+  }
+  // These need another key beside them, or have one legal value.
+  EXPECT_EQ(never, (std::set<std::string>{"flock.NAME.flee.field_of_view", "flock.NAME.flee.form", "flock.NAME.flee.on",
+                                          "flock.NAME.flee.priority", "flock.NAME.flee.radius", "flock.NAME.flee.weight",
+                                          "format", "space.max", "space.min"}));
+}
+
+TEST(EveryParameter, IsDescribedInOneSentenceWithAUnitWhereItHasOne) {
+  std::set<std::string> paths;
+  for (const ParameterRow& row : parameter_rows()) {
+    EXPECT_TRUE(paths.insert(row.path).second) << row.path << " stands twice";
+    EXPECT_GT(std::string(row.about.text).size(), 4u) << row.path;
+    EXPECT_FALSE(row.kind.empty()) << row.path;
+  }
+}
+
+TEST(SetParameter, LeavesTheScenarioAsItWasWhenItCannot) {
+  ScenarioDef scenario;
+  const std::string before = to_toml(scenario);
+  for (const char* path : {"", "flock", "flock.boids", "flock.birds.count", "flock.boids.separation", "space.boundary.kin",
+                           "flock.boids.separation.3.weight", "seed.low", "flock.boids.flee.radiu"}) {
+    const Status status = set_parameter(scenario, path, parse_value("1"));
+    EXPECT_FALSE(status) << path;
+    EXPECT_FALSE(status.problems().empty() || status.problems().front().text.empty()) << path;
+  }
+  EXPECT_EQ(to_toml(scenario), before);
+}
+
+TEST(SetParameter, ReachesTheItemsOfAListByTheirNumber) {
+  ScenarioDef scenario;
+  scenario.flocks.front().separation.push_back({});
+  set(scenario, "flock.boids.separation.1.weight", "7");
+  EXPECT_EQ(scenario.flocks.front().separation[1].weight, 7);
+  const Status status = set_parameter(scenario, "flock.boids.separation.weight", parse_value("7"));
+  EXPECT_NE(status.error().find("separation.0"), std::string::npos) << status.error();
+}
+
+TEST(SetParameter, PutsANewTermBehindThoseThatAreThere) {
+  ScenarioDef scenario = take(parse_scenario("[[flock]]\nnoise = { acceleration = 1 }\ncruise = { speed = 1 }\n", file));
+  set(scenario, "flock.boids.wander.weight", "1");
+  const FlockDef& flock = scenario.flocks.front();
+  EXPECT_GT(flock.wander->order, flock.noise->order);
+  EXPECT_GT(flock.wander->order, flock.cruise->order);
+}
+
+}  // namespace
+}  // namespace sturnus::test
