@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "command_line.h"
 #include "commands.h"
@@ -104,13 +103,12 @@ nlohmann::ordered_json last_measures(const Course& course) {
 }
 
 std::string summary_json(const RunOptions& options, const Simulation& flock, const Course& course) {
-  const int threads = options.work.thread_count();
   nlohmann::ordered_json out;
   out["version"] = sturnus::version;
   out["command"] = options.words;
   out["scenario"] = options.scenario.scenario;
   out["seed"] = flock.scenario().seed;
-  out["threads"] = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  out["threads"] = flock.threads();
   out["steps"] = course.steps;
   out["last_step"] = flock.step_number();
   out["boids"] = flock.view().size();

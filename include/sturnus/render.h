@@ -34,8 +34,8 @@ class Renderer {
   Image frame(const Simulation& simulation);
 
  private:
-  struct Studio;
-  std::unique_ptr<Studio> studio_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 /// The course of all measures, one panel each. Rows in order of their steps; none makes an empty plot.

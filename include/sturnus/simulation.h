@@ -80,6 +80,8 @@ class Simulation {
   std::uint64_t hash() const;
   std::uint64_t step_number() const;
   StepReport report() const;
+  /// Threads in use.
+  int threads() const;
 
   /// The scenario as it stands now, with every parameter that was set.
   const ScenarioDef& scenario() const;

@@ -40,7 +40,7 @@ Viewpoint viewpoint_of(const View& view, Size size) {
 
 }  // namespace
 
-struct Renderer::Studio {
+struct Renderer::Parts {
   RenderOptions options;
   Workers workers;
   Trails trails;
@@ -48,25 +48,25 @@ struct Renderer::Studio {
 };
 
 Renderer::Renderer(const RenderOptions& options)
-    : studio_(std::make_unique<Studio>(Studio{options, Workers(options.threads), {}, {}})) {}
+    : parts_(std::make_unique<Parts>(Parts{options, Workers(options.threads), {}, {}})) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::follow(const Simulation& simulation) {
-  if (studio_->options.trails) studio_->trails.follow(simulation.view());
+  if (parts_->options.trails) parts_->trails.follow(simulation.view());
 }
 
 Image Renderer::frame(const Simulation& simulation) {
-  const RenderOptions& options = studio_->options;
+  const RenderOptions& options = parts_->options;
   const View view = simulation.view();
   const Theme& colours = theme(options.picture.theme);
-  studio_->list.clear();
+  parts_->list.clear();
   SceneOptions scene{options.velocities, options.caption, {}};
   if (options.index) scene.index_boxes = simulation.index_boxes();
-  if (options.trails) studio_->trails.add_to(view, scene_colours(colours), studio_->list);
-  make_scene(view, scene_colours(colours), scene, studio_->list);
-  return draw(studio_->list, viewpoint_of(view, options.picture.size), colours, options.picture.size, studio_->workers,
+  if (options.trails) parts_->trails.add_to(view, scene_colours(colours), parts_->list);
+  make_scene(view, scene_colours(colours), scene, parts_->list);
+  return draw(parts_->list, viewpoint_of(view, options.picture.size), colours, options.picture.size, parts_->workers,
               options.picture.supersampling);
 }
 

@@ -20,11 +20,18 @@ struct Column {
   std::vector<std::uint8_t>* small = nullptr;
 };
 
+// A state beside the one value that it keeps for all boids, which a table can only repeat in every line.
+struct Table {
+  State state;
+  std::vector<std::uint64_t> next_id;
+};
+
 constexpr const char* axis_names[] = {"x", "y", "z"};
 constexpr const char* channel_names[] = {"red", "green", "blue"};
 
 // All columns that a state of so many dimensions may have, in the order of the file.
-std::vector<Column> columns_of(State& state, int dimensions) {
+std::vector<Column> columns_of(Table& table, int dimensions) {
+  State& state = table.state;
   std::vector<Column> out = {{"id", nullptr, &state.id, nullptr}, {"flock", nullptr, nullptr, &state.flock}};
   const auto axes = static_cast<std::size_t>(dimensions);
   for (std::size_t axis = 0; axis < axes; ++axis) out.push_back({axis_names[axis], &state.position[axis], nullptr, nullptr});
@@ -36,6 +43,7 @@ std::vector<Column> columns_of(State& state, int dimensions) {
   }
   for (std::size_t i = 0; i < 3; ++i) out.push_back({channel_names[i], &state.colour[i], nullptr, nullptr});
   out.push_back({"quarantined", nullptr, nullptr, &state.quarantined});
+  out.push_back({"next_id", nullptr, &table.next_id, nullptr});
   return out;
 }
 
@@ -43,6 +51,7 @@ bool is_written(const Column& column, const State& state) {
   if (column.name == "quarantined") {
     return std::any_of(state.quarantined.begin(), state.quarantined.end(), [](std::uint8_t flag) { return flag != 0; });
   }
+  if (column.name == "next_id") return !column.ids->empty();
   return column.ids != nullptr || column.small != nullptr || !column.floats->empty() ||
          (state.size() == 0 && (column.name.size() == 1 || column.name[0] == 'v'));
 }
@@ -109,7 +118,7 @@ class CsvReader {
     if (!next_line(line)) return fail("", "the file is empty; a state CSV begins with the line id,flock,x,y,vx,vy");
     const auto names = split(line);
     state_.dimensions = std::find(names.begin(), names.end(), "z") != names.end() ? 3 : 2;
-    auto possible = columns_of(state_, state_.dimensions);
+    auto possible = columns_of(table_, state_.dimensions);
     std::vector<std::string> known;
     for (const Column& column : possible) known.push_back(column.name);
     for (const std::string_view name : names) {
@@ -176,6 +185,7 @@ class CsvReader {
     state_.quarantined.resize(rows_);
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(state_.dimensions); ++axis) state_.velocity[axis].resize(rows_);
     for (const std::uint64_t id : state_.id) state_.next_id = std::max(state_.next_id, id + 1);
+    for (const std::uint64_t next : table_.next_id) state_.next_id = std::max(state_.next_id, next);
   }
 
   std::string_view rest_;
@@ -183,7 +193,8 @@ class CsvReader {
   int line_number_ = 0;
   std::size_t rows_ = 0;
   std::vector<Column> columns_;
-  State state_;
+  Table table_;
+  State& state_ = table_.state;
   Problem problem_;
 };
 
@@ -199,9 +210,12 @@ Problem repeated_id(const State& state, const std::string& file) {
 }  // namespace
 
 std::string state_csv(const State& state) {
-  State copy = state;  // columns_of hands out places to write to
+  Table table{state, {}};  // columns_of hands out places to write to
+  const State& copy = table.state;
+  const auto newest = std::max_element(copy.id.begin(), copy.id.end());
+  if (newest != copy.id.end() && *newest + 1 != copy.next_id) table.next_id.assign(copy.size(), copy.next_id);
   std::vector<Column> columns;
-  for (const Column& column : columns_of(copy, copy.dimensions)) {
+  for (const Column& column : columns_of(table, copy.dimensions)) {
     if (is_written(column, copy)) columns.push_back(column);
   }
   std::string out;

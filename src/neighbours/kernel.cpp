@@ -97,28 +97,41 @@ void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boid
   }
 }
 
+// What a row sums: the boids' own values and the totals of them.
+struct Summed {
+  const std::array<const float*, 3>& own;
+  const std::array<double, 3> Totals::*total;
+  std::size_t components;
+};
+
+template <int D>
+Summed summed_by(const NeighbourRow& row, const Boids& boids) {
+  switch (row.quantity) {
+    case Quantity::offset: return {boids.position, &Totals::position, D};
+    case Quantity::velocity: return {boids.velocity, &Totals::velocity, D};
+    case Quantity::heading: return {boids.heading, &Totals::heading, D};
+    case Quantity::colour: return {boids.colour, &Totals::colour, 3};
+  }
+  return {boids.position, &Totals::position, D};
+}
+
 // Totals of the flocks that a row looks at, minus the boid itself, as if it had summed over all others.
 template <int D>
-NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::size_t self, std::span<const Totals> totals) {
-  double count = 0;
+NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::size_t self,
+                              std::span<const Totals> totals) {
+  const Summed summed = summed_by<D>(row, boids);
+  const bool self_counted = (row.flocks & boids.flock_bit[self]) != 0;
+  double count = self_counted ? -1 : 0;
   std::array<double, 3> sum{};
   for (std::size_t flock = 0; flock < totals.size(); ++flock) {
     if ((row.flocks >> flock & 1) == 0) continue;
     count += totals[flock].count;
-    const auto& of_flock = row.quantity == Quantity::offset     ? totals[flock].position
-                           : row.quantity == Quantity::velocity ? totals[flock].velocity
-                                                                : totals[flock].heading;
-    for (std::size_t axis = 0; axis < D; ++axis) sum[axis] += of_flock[axis];
+    for (std::size_t axis = 0; axis < summed.components; ++axis) sum[axis] += (totals[flock].*summed.total)[axis];
   }
-  const bool self_counted = (row.flocks & boids.flock_bit[self]) != 0;
-  const auto& own = row.quantity == Quantity::offset     ? boids.position
-                    : row.quantity == Quantity::velocity ? boids.velocity
-                                                         : boids.heading;
   NeighbourSum out;
-  count -= self_counted ? 1 : 0;
   out.count = static_cast<std::uint32_t>(count);
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    const double mine = own[axis][self];
+  for (std::size_t axis = 0; axis < summed.components; ++axis) {
+    const double mine = summed.own[axis][self];
     double others = sum[axis] - (self_counted ? mine : 0);
     if (row.quantity == Quantity::offset) others -= count * mine;
     out.value[axis] = static_cast<float>(others);
@@ -134,6 +147,9 @@ void add_boid(Totals& totals, const Boids& boids, std::size_t i) {
     totals.velocity[axis] += double{boids.velocity[axis][i]};
     if (boids.heading[axis] != nullptr) totals.heading[axis] += double{boids.heading[axis][i]};
   }
+  for (std::size_t channel = 0; channel < 3 && boids.colour[0] != nullptr; ++channel) {
+    totals.colour[channel] += double{boids.colour[channel][i]};
+  }
 }
 
 void add_totals(Totals& to, const Totals& from) {
@@ -142,6 +158,7 @@ void add_totals(Totals& to, const Totals& from) {
     to.position[axis] += from.position[axis];
     to.velocity[axis] += from.velocity[axis];
     to.heading[axis] += from.heading[axis];
+    to.colour[axis] += from.colour[axis];
   }
 }
 

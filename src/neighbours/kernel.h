@@ -29,7 +29,7 @@ struct NeighbourSum {
 /// Population totals of one flock, in double.
 struct Totals {
   double count = 0;
-  std::array<double, 3> position{}, velocity{}, heading{};
+  std::array<double, 3> position{}, velocity{}, heading{}, colour{};
 };
 
 /// Sums of the whole population, flock by flock. Fixed blocks in storage order, so that no thread count matters.

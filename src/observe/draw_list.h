@@ -1,4 +1,4 @@
-// What is to be drawn, as plain data in world coordinates: the pictures and the studio both draw these lists.
+// What is to be drawn, as plain data in world coordinates, for whoever draws it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What there is to see of a flock, as draw lists: pictures and the studio both draw them.
+// What there is to see of a flock, as draw lists.
 #pragma once
 
 #include <sturnus/view.h>

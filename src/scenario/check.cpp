@@ -63,6 +63,15 @@ class Checker {
                                    number_text(space.min[axis])));
       }
     }
+    if (!has_errors(problems_)) check_extent();
+  }
+
+  void check_extent() {
+    const Extent extent = extent_of(scenario_);
+    for (std::size_t axis = 0; axis < axes(); ++axis) {
+      if (std::abs(extent.min[axis]) <= 1e15 && std::abs(extent.max[axis]) <= 1e15) continue;
+      return say_error(scenario_.space.min.empty() ? "space.per_boid" : "space.max", "makes the space reach beyond 1e15");
+    }
   }
 
   void check_boundary() {
@@ -75,7 +84,7 @@ class Checker {
       const double margin = boundary.margin[boundary.margin.size() == 1 ? 0 : axis];
       const double size = extent.max[axis] - extent.min[axis];
       if (2 * margin > size) {
-        say_warning(key, say("the margins of ", number_text(margin), " cross on axis ", axis, ", which is only ",
+        say_warning(key, say("the margins of ", number_text(margin), " cross on the ", std::string_view("xyz").substr(axis, 1), " axis, which is only ",
                              number_text(size), " long; between them both push"));
       }
     }

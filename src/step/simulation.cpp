@@ -212,6 +212,8 @@ std::uint64_t Simulation::hash() const { return sturnus::hash(world_->state); }
 std::uint64_t Simulation::step_number() const { return world_->state.step; }
 const ScenarioDef& Simulation::scenario() const { return world_->scenario; }
 
+int Simulation::threads() const { return world_->workers.count(); }
+
 StepReport Simulation::report() const {
   StepReport report = world_->report;
   for (const std::uint8_t flag : world_->state.quarantined) report.quarantined += flag;

@@ -175,6 +175,7 @@ void append_boids_in(const ScenarioDef& scenario, const Model& model, const Stat
     copy_back(state.wander, from.wander, i);
     copy_back(state.colour, from.colour, i);
   }
+  state.next_id = std::max(state.next_id, from.next_id);
 }
 
 }  // namespace

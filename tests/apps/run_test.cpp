@@ -211,13 +211,13 @@ TEST_F(Run, AFolderKeepsTheEvents) {
   write("e.toml",
         "[run]\nsteps = 30\nevents = [[5, \"set\", \"flock.a.max_speed\", 3], [10, \"add\", \"a\", 7, [10, "
         "20], 5], "
-        "[15, \"erase\", [0, 0], 40], [20, \"pointer\", \"repel\", [5, 5]]]\n[[flock]]\nname = \"a\"\ncount "
-        "= 100\n");
+        "[15, \"erase\", [0, 0], 40], [20, \"pointer\", \"repel\", [5, 5]]]\n"
+        "[[flock]]\nname = \"a\"\ncount = 100\nmax_speed = 2.5\n");
   const std::string hash = hash_of({"e.toml", "-o", "dir"});
   EXPECT_SAYS(read("dir/scenario.toml"), "[15, \"erase\", [0, 0], 40]");
-  EXPECT_SAYS(read("dir/scenario.toml"), "\nmax_speed = 2\n");  // as it began, not as it stood in the end
+  EXPECT_SAYS(read("dir/scenario.toml"), "\nmax_speed = 2.5\n");  // as it began, not as it stood in the end
   EXPECT_EQ(hash_of({"dir/scenario.toml"}), hash);
-  write("without.toml", "[run]\nsteps = 30\n[[flock]]\nname = \"a\"\ncount = 100\n");
+  write("without.toml", "[run]\nsteps = 30\n[[flock]]\nname = \"a\"\ncount = 100\nmax_speed = 2.5\n");
   EXPECT_NE(hash_of({"without.toml"}), hash);
 }
 

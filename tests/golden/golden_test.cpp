@@ -1,5 +1,5 @@
-// The same bits everywhere: every shipped scenario against its known hashes, for several thread counts and with
-// garbage in the working memory, compared at every step.
+// The same bits everywhere: every shipped scenario against its known hashes, for several thread counts and
+// with garbage in the working memory, compared at every step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* golden_file = STURNUS_GOLDEN;
 constexpr const char* how_to_update =
-    "\nIf the change is meant, write the hashes anew: STURNUS_UPDATE_GOLDEN=1 sturnus-tests '--gtest_filter=*Golden*'"
+    "\nIf the change is meant, write the hashes anew: STURNUS_UPDATE_GOLDEN=1 sturnus-tests "
+    "'--gtest_filter=*Golden*'"
     "\nand say in CHANGELOG.md why results changed.";
 constexpr std::int64_t most_boids = 2000;
 
@@ -38,11 +39,13 @@ Hashes read_hashes() {
 
 void write_hashes(const Hashes& hashes) {
   std::ofstream file(golden_file);
-  file << "# State hashes of the shipped scenarios with at most " << most_boids << " boids: name, step, hash.\n";
+  file << "# State hashes of the shipped scenarios with at most " << most_boids
+       << " boids: name, step, hash.\n";
   for (const ShippedScenario& shipped : shipped_scenarios()) {
     for (const std::uint64_t mark : {1, 10, 100, 1000}) {
       const std::string key = std::string(shipped.name) + " " + std::to_string(mark);
-      if (const auto found = hashes.find(key); found != hashes.end()) file << key << " " << found->second << "\n";
+      if (const auto found = hashes.find(key); found != hashes.end())
+        file << key << " " << found->second << "\n";
     }
   }
 }
@@ -91,8 +94,8 @@ class Golden : public testing::TestWithParam<std::size_t> {
       for (Simulation& world : worlds) world.step();
       for (std::size_t i = 1; i < worlds.size(); ++i) {
         ASSERT_EQ(worlds[i].hash(), worlds.front().hash())
-            << shipped().name << ", step " << step << ", world " << i << " of 1, 2, 3, 8 threads and poison: "
-            << first_difference(worlds.front(), worlds[i]);
+            << shipped().name << ", step " << step << ", world " << i
+            << " of 1, 2, 3, 8 threads and poison: " << first_difference(worlds.front(), worlds[i]);
       }
       if (step == 1 || step == 10 || step == 100 || step == 1000) {
         found_[std::string(shipped().name) + " " + std::to_string(step)] = text_of(worlds.front().hash());
@@ -102,7 +105,8 @@ class Golden : public testing::TestWithParam<std::size_t> {
 
   void compare_with_file() const {
     Hashes known = read_hashes();
-    if (const char* update = std::getenv("STURNUS_UPDATE_GOLDEN"); update != nullptr && std::string(update) == "1") {
+    if (const char* update = std::getenv("STURNUS_UPDATE_GOLDEN");
+        update != nullptr && std::string(update) == "1") {
       for (const auto& [key, hash] : found_) known[key] = hash;
       return write_hashes(known);
     }
@@ -147,7 +151,8 @@ TEST(GoldenFile, HoldsTheHashesOfShippedScenariosOnly) {
   std::map<std::string, int> lines;
   for (const auto& [key, hash] : read_hashes()) ++lines[key.substr(0, key.find(' '))];
   for (const ShippedScenario& shipped : shipped_scenarios()) lines.erase(shipped.name);
-  for (const auto& [name, count] : lines) ADD_FAILURE() << name << " is not shipped any more" << how_to_update;
+  for (const auto& [name, count] : lines)
+    ADD_FAILURE() << name << " is not shipped any more" << how_to_update;
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ ScenarioDef sociable(int dimensions) {
   scenario.space.max = Coordinates(static_cast<std::size_t>(dimensions), 500.0);
   FlockDef& flock = scenario.flocks.front();
   flock.separation = {{}, {.combine = Combine::mean}};
-  flock.alignment = {{}, {.count_self = true}, {.match = Match::heading, .relative = false}, {.radius = infinity}};
+  flock.alignment = {
+      {}, {.count_self = true}, {.match = Match::heading, .relative = false}, {.radius = infinity}};
   flock.cohesion = {{}, {.strength = Strength::fades, .count_self = true}, {.radius = infinity}};
   return scenario;
 }
@@ -90,7 +91,8 @@ RC_GTEST_PROP(Two, MeetHalfwayInTheirVelocities, ()) {
   Simulation simulation = world_of(scenario, {one, other});
   simulation.step();
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    RC_ASSERT(std::abs(velocity_of(simulation, 0)[axis] - (one.velocity[axis] + other.velocity[axis]) / 2) < 1e-5f);
+    RC_ASSERT(std::abs(velocity_of(simulation, 0)[axis] - (one.velocity[axis] + other.velocity[axis]) / 2) <
+              1e-5f);
   }
   RC_ASSERT(distance(velocity_of(simulation, 0), velocity_of(simulation, 1)) < 1e-5);
 }

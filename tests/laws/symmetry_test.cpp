@@ -1,7 +1,7 @@
 // Laws of symmetry: moving, turning, mirroring or renaming the world does the same to the answer.
 //
-// Places and velocities are multiples of a power of two, and boids stand in one order (all pairs), so that most
-// of these laws hold to the last bit.
+// Places and velocities are multiples of a power of two, and boids stand in one order (all pairs), so that
+// most of these laws hold to the last bit.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -24,7 +24,8 @@ ScenarioDef flocking(int dimensions) {
   scenario.index.kind = IndexKind::all_pairs;
   FlockDef& flock = scenario.flocks.front();
   flock.field_of_view = 250;
-  flock.alignment.push_back({.weight = 0.05, .radius = 40, .inner = 10, .match = Match::heading, .count_self = true});
+  flock.alignment.push_back(
+      {.weight = 0.05, .radius = 40, .inner = 10, .match = Match::heading, .count_self = true});
   flock.cohesion.push_back({.weight = 0.3, .radius = 50, .strength = Strength::fades});
   flock.cruise = Cruise{};
   return scenario;
@@ -49,7 +50,8 @@ std::vector<Placed> changed(std::vector<Placed> boids, Change change) {
 }
 
 /// Places and velocities by id after some steps.
-std::vector<Placed> after(const ScenarioDef& scenario, const std::vector<Placed>& boids, std::uint64_t steps) {
+std::vector<Placed> after(const ScenarioDef& scenario, const std::vector<Placed>& boids,
+                          std::uint64_t steps) {
   Simulation simulation = world_of(scenario, boids);
   simulation.run(steps);
   std::vector<Placed> out;
@@ -119,7 +121,8 @@ RC_GTEST_PROP(QuarterTurn, AboutAnotherAxisTooToRounding, ()) {
   const auto boids = random_boids(3);
   const auto turned = after(flocking(3), changed(boids, turn), 1);
   const auto expected = changed(after(flocking(3), boids, 1), turn);
-  for (std::size_t i = 0; i < boids.size(); ++i) RC_ASSERT(distance(turned[i].velocity, expected[i].velocity) < 1e-4);
+  for (std::size_t i = 0; i < boids.size(); ++i)
+    RC_ASSERT(distance(turned[i].velocity, expected[i].velocity) < 1e-4);
 }
 
 RC_GTEST_PROP(Mirror, MirrorsTheAnswer, ()) {
@@ -131,7 +134,8 @@ RC_GTEST_PROP(Mirror, MirrorsTheAnswer, ()) {
   };
   const auto boids = random_boids(dimensions);
   ScenarioDef scenario = flocking(dimensions);
-  scenario.space.boundary = {*rc::gen::element(BoundaryKind::open, BoundaryKind::turn, BoundaryKind::bounce), {16}, 0.5};
+  scenario.space.boundary = {
+      *rc::gen::element(BoundaryKind::open, BoundaryKind::turn, BoundaryKind::bounce), {16}, 0.5};
   scenario.space.min = Coordinates(static_cast<std::size_t>(dimensions), -32.0);
   scenario.space.max = Coordinates(static_cast<std::size_t>(dimensions), 32.0);
   const auto found = after(scenario, changed(boids, mirror), 5);

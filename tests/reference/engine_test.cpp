@@ -1,5 +1,5 @@
-// The engine against the five references in double precision: at each of 300 steps one reference step from the
-// engine's own state, and ten steps in which both run free.
+// The engine against the five references in double precision: at each of 300 steps one reference step from
+// the engine's own state, and ten steps in which both run free.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -156,7 +156,9 @@ reference::Boids boids_of(const View& view) {
   return boids;
 }
 
-double across(double offset, double side) { return side > 0 ? reference::nearest_image(offset, side) : offset; }
+double across(double offset, double side) {
+  return side > 0 ? reference::nearest_image(offset, side) : offset;
+}
 
 /// The largest differences of the boids that are not exempt, relative to top speed and world.
 struct Errors {
@@ -215,38 +217,55 @@ void compare(const std::string& name, const Profile& profile) {
   EXPECT_LE(exempt, 0.01);
   EXPECT_LE(free_run.velocity, profile.free_tolerance);
   EXPECT_LE(free_run.position, profile.free_tolerance);
-  std::printf("%-9s one step: velocity %.2g, position %.2g; free: velocity %.2g, position %.2g; exempt %.4f %%\n",
-              name.c_str(), one_step.velocity, one_step.position, free_run.velocity, free_run.position, 100 * exempt);
+  std::printf(
+      "%-9s one step: velocity %.2g, position %.2g; free: velocity %.2g, position %.2g; exempt %.4f %%\n",
+      name.c_str(), one_step.velocity, one_step.position, free_run.velocity, free_run.position, 100 * exempt);
 }
 
 TEST(EngineAgainstReference, Ucsd) {
   compare("ucsd", {scenario_called("ucsd", ucsd_in_code()),
-                   [](const reference::Boids& boids) { return reference::ucsd(boids); }, 10, 1280, {}});
+                   [](const reference::Boids& boids) { return reference::ucsd(boids); },
+                   10,
+                   1280,
+                   {}});
 }
 
 TEST(EngineAgainstReference, Prog06) {
   Profile profile{scenario_called("prog06", prog06_in_code()),
-                  [](const reference::Boids& boids) { return reference::prog06(boids); }, 0.05, 1, {}};
+                  [](const reference::Boids& boids) { return reference::prog06(boids); },
+                  0.05,
+                  1,
+                  {}};
   profile.velocity_tolerance = 1e-4;
   profile.position_tolerance = 1e-4 * 0.05;  // with dt = 1 a place is as exact as the velocity that led there
   profile.free_tolerance = 1e-2;
-  profile.free_every = steps;  // only from the start: later the boids swarm so densely that errors grow tenfold
+  profile.free_every =
+      steps;  // only from the start: later the boids swarm so densely that errors grow tenfold
   compare("prog06", profile);
 }
 
 TEST(EngineAgainstReference, VuwCore) {
   compare("vuw-core", {scenario_called("vuw-core", vuw_in_code()),
-                       [](const reference::Boids& boids) { return reference::vuw_core(boids); }, 8, 40, {40, 40, 40}});
+                       [](const reference::Boids& boids) { return reference::vuw_core(boids); },
+                       8,
+                       40,
+                       {40, 40, 40}});
 }
 
 TEST(EngineAgainstReference, Quadtree) {
   compare("quadtree", {scenario_called("quadtree", quadtree_in_code()),
-                       [](const reference::Boids& boids) { return reference::quadtree(boids); }, 6, 1600, {}});
+                       [](const reference::Boids& boids) { return reference::quadtree(boids); },
+                       6,
+                       1600,
+                       {}});
 }
 
 TEST(EngineAgainstReference, Cs184) {
   compare("cs184", {scenario_called("cs184", cs184_in_code()),
-                    [](const reference::Boids& boids) { return reference::cs184(boids); }, 4, 800, {800, 600, 0}});
+                    [](const reference::Boids& boids) { return reference::cs184(boids); },
+                    4,
+                    800,
+                    {800, 600, 0}});
 }
 
 }  // namespace

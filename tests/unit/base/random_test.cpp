@@ -15,7 +15,8 @@ using Key = r123::Philox4x32::key_type;
 // From Random123's file of known answers (kat_vectors), philox4x32 with 10 rounds.
 TEST(Philox, GivesThePublishedAnswers) {
   const r123::Philox4x32 philox;
-  EXPECT_EQ(philox(Block{{0, 0, 0, 0}}, Key{{0, 0}}), (Block{{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}}));
+  EXPECT_EQ(philox(Block{{0, 0, 0, 0}}, Key{{0, 0}}),
+            (Block{{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}}));
   constexpr std::uint32_t ones = 0xffffffff;
   EXPECT_EQ(philox(Block{{ones, ones, ones, ones}}, Key{{ones, ones}}),
             (Block{{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}}));
@@ -35,7 +36,8 @@ TEST(Draws, PutSeedStepIdAndStreamIntoKeyAndCounter) {
   const std::uint64_t seed = 0x1111111122222222, step = 0x3333444444, id = 0x555566666666;
   Draws draws(seed, step, id, Stream::noise_turn);
   const Key key{{0x22222222, 0x11111111}};
-  Block counter{{0x33444444, (0x33u << 16) | 0x5555u, 0x66666666, static_cast<std::uint32_t>(Stream::noise_turn) << 24}};
+  Block counter{{0x33444444, (0x33u << 16) | 0x5555u, 0x66666666,
+                 static_cast<std::uint32_t>(Stream::noise_turn) << 24}};
   for (std::uint32_t number = 0; number < 3; ++number) {
     const Block block = r123::Philox4x32()(counter, key);
     for (const std::uint32_t word : block) EXPECT_EQ(draws.bits(), word);
@@ -72,7 +74,7 @@ TEST(Draws, UniformLiesInItsRangeWithTheRightMean) {
   EXPECT_LT(high, 1.0f);
   EXPECT_LT(low, 1e-4f);
   EXPECT_GT(high, 1 - 1e-4f);
-  EXPECT_NEAR(sum / count, 0.5, 0.005);                    // five standard errors of sqrt(1/12/n)
+  EXPECT_NEAR(sum / count, 0.5, 0.005);  // five standard errors of sqrt(1/12/n)
   EXPECT_NEAR(squares / count, 1.0 / 3.0, 0.005);
 }
 

@@ -35,7 +35,9 @@ TEST(Root, CubeRootOfWhatHasNoneIsZero) {
   EXPECT_EQ(cube_root(std::nan("")), 0);
 }
 
-TEST(Root, SquareRootIsTheMachines) { EXPECT_EQ(square_root(2), std::sqrt(2.0)); }
+TEST(Root, SquareRootIsTheMachines) {
+  EXPECT_EQ(square_root(2), std::sqrt(2.0));
+}
 
 }  // namespace
 }  // namespace sturnus

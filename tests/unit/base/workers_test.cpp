@@ -34,13 +34,16 @@ TEST(Workers, CoverARangeOnceInContiguousParts) {
   }
 }
 
-TEST(Workers, ZeroMeansTheMachinesCores) { EXPECT_GE(Workers(0).count(), 1); }
+TEST(Workers, ZeroMeansTheMachinesCores) {
+  EXPECT_GE(Workers(0).count(), 1);
+}
 
 TEST(Workers, RoundToNearestWhateverTheCallerHasSet) {
   const int before = std::fegetround();
   std::fesetround(FE_UPWARD);
   std::atomic<int> wrong = 0;
-  Workers(2).for_ranges(2, [&](std::size_t, std::size_t, int) { wrong += std::fegetround() != FE_TONEAREST ? 1 : 0; });
+  Workers(2).for_ranges(
+      2, [&](std::size_t, std::size_t, int) { wrong += std::fegetround() != FE_TONEAREST ? 1 : 0; });
   const int after = std::fegetround();
   std::fesetround(before);
   EXPECT_EQ(wrong, 0);
@@ -52,7 +55,8 @@ TEST(Workers, KeepDenormalsWhateverTheCallerHasSet) {
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | 0x8040u);
   std::atomic<int> wrong = 0;
-  Workers(1).for_ranges(1, [&](std::size_t, std::size_t, int) { wrong += (_mm_getcsr() & 0x8040u) != 0 ? 1 : 0; });
+  Workers(1).for_ranges(
+      1, [&](std::size_t, std::size_t, int) { wrong += (_mm_getcsr() & 0x8040u) != 0 ? 1 : 0; });
   const unsigned after = _mm_getcsr();
   _mm_setcsr(before);
   EXPECT_EQ(wrong, 0);

@@ -32,7 +32,8 @@ Sets true_sets(const RandomWorld& world) {
     if (world.hidden[j] != 0) continue;
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Vec<D> o = offset(place_of<D>(world, j), place_of<D>(world, i), world.image());
-      if (world.hidden[i] == 0 && dot(o, o) <= world.reach * world.reach) sets[world.ids[j]].insert(world.ids[i]);
+      if (world.hidden[i] == 0 && dot(o, o) <= world.reach * world.reach)
+        sets[world.ids[j]].insert(world.ids[i]);
     }
   }
   return sets;
@@ -59,7 +60,8 @@ Sets found_sets(RandomWorld world, NeighbourIndex& index) {
       for (std::uint32_t i = span.begin; i < span.end; ++i) {
         ++times[i];
         const Vec<D> o = offset(place, place_of<D>(world, i), world.image());
-        if (world.hidden[i] == 0 && dot(o, o) <= world.reach * world.reach) sets[world.ids[j]].insert(world.ids[i]);
+        if (world.hidden[i] == 0 && dot(o, o) <= world.reach * world.reach)
+          sets[world.ids[j]].insert(world.ids[i]);
       }
     }
     RC_ASSERT(std::all_of(times.begin(), times.end(), [](int n) { return n <= 1; }));
@@ -67,7 +69,9 @@ Sets found_sets(RandomWorld world, NeighbourIndex& index) {
   return sets;
 }
 
-Sets true_sets(const RandomWorld& world) { return world.dimensions == 3 ? true_sets<3>(world) : true_sets<2>(world); }
+Sets true_sets(const RandomWorld& world) {
+  return world.dimensions == 3 ? true_sets<3>(world) : true_sets<2>(world);
+}
 Sets found_sets(const RandomWorld& world, NeighbourIndex& index) {
   return world.dimensions == 3 ? found_sets<3>(world, index) : found_sets<2>(world, index);
 }
@@ -120,7 +124,8 @@ RC_GTEST_PROP(NeighbourIndex, MakesTheSameStepToRounding, ()) {
   const auto exact = velocities_with(scenario, state, {.kind = IndexKind::all_pairs});
   const auto grid = velocities_with(scenario, state, {.kind = IndexKind::grid});
   const auto tree = velocities_with(scenario, state,
-                                    {.kind = IndexKind::tree, .leaf_size = *rc::gen::inRange(1, 20),
+                                    {.kind = IndexKind::tree,
+                                     .leaf_size = *rc::gen::inRange(1, 20),
                                      .depth_limit = *rc::gen::inRange(0, 20)});
   for (const auto& [id, velocity] : exact) {
     RC_ASSERT(distance(velocity, grid.at(id)) <= 1e-5 * flock.max_speed);
@@ -172,14 +177,16 @@ TEST(NeighbourIndex, BoxesHoldTheirBoids) {
     index->boxes(boxes);
     ASSERT_GE(boxes.size(), 2u);
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(), [&](const IndexBox& box) {
-        bool inside = true;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-          const float at = world.position[axis][i];
-          inside = inside && box.min[axis] <= at && at <= box.max[axis];
-        }
-        return inside;
-      })) << "boid " << i;
+      EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(),
+                              [&](const IndexBox& box) {
+                                bool inside = true;
+                                for (std::size_t axis = 0; axis < 2; ++axis) {
+                                  const float at = world.position[axis][i];
+                                  inside = inside && box.min[axis] <= at && at <= box.max[axis];
+                                }
+                                return inside;
+                              }))
+          << "boid " << i;
     }
   }
 }

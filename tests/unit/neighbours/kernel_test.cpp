@@ -155,7 +155,8 @@ TEST(Sampling, ChangesWithStepSeedAndBoid) {
 TEST(PopulationTotals, AreTheSumsOfEveryFlockForAnyThreadCount) {
   Crowd crowd;
   for (std::uint64_t i = 0; i < 10000; ++i) {
-    crowd.add(static_cast<float>(i) * 0.37f, static_cast<float>(i % 101), i, static_cast<std::uint8_t>(i % 3));
+    crowd.add(static_cast<float>(i) * 0.37f, static_cast<float>(i % 101), i,
+              static_cast<std::uint8_t>(i % 3));
   }
   crowd.bit[4] = 0;
   std::vector<Totals> one, eight;

@@ -1,5 +1,5 @@
-// Random worlds for the neighbour indexes: places on cell edges, exactly on the radius, at one point, in one cell,
-// far out, or none at all.
+// Random worlds for the neighbour indexes: places on cell edges, exactly on the radius, at one point, in one
+// cell, far out, or none at all.
 #pragma once
 
 #include <rapidcheck.h>
@@ -59,17 +59,24 @@ struct RandomWorld {
   }
 };
 
-inline float eighths(int low, int high) { return static_cast<float>(*rc::gen::inRange(low, high + 1)) / 8; }
+inline float eighths(int low, int high) {
+  return static_cast<float>(*rc::gen::inRange(low, high + 1)) / 8;
+}
 
 /// One coordinate, by the manner of the whole world.
 inline float random_coordinate(int manner, const RandomWorld& world, std::size_t axis) {
   const float span = world.max[axis] - world.min[axis];
   switch (manner) {
-    case 0: return world.min[axis] + span * static_cast<float>(*rc::gen::inRange(0, 1 << 20)) * 0x1p-20f;
-    case 1: return world.min[axis] + world.reach / 4 * static_cast<float>(*rc::gen::inRange(0, 60));  // cell edges
-    case 2: return world.min[axis] + world.reach * static_cast<float>(*rc::gen::inRange(0, 12));  // on the radius
-    case 3: return world.min[axis] + span / 2;                                                    // at one point
-    default: return world.min[axis] + world.reach / 100 * static_cast<float>(*rc::gen::inRange(0, 9));  // one cell
+    case 0:
+      return world.min[axis] + span * static_cast<float>(*rc::gen::inRange(0, 1 << 20)) * 0x1p-20f;
+    case 1:
+      return world.min[axis] + world.reach / 4 * static_cast<float>(*rc::gen::inRange(0, 60));  // cell edges
+    case 2:
+      return world.min[axis] + world.reach * static_cast<float>(*rc::gen::inRange(0, 12));  // on the radius
+    case 3:
+      return world.min[axis] + span / 2;  // at one point
+    default:
+      return world.min[axis] + world.reach / 100 * static_cast<float>(*rc::gen::inRange(0, 9));  // one cell
   }
 }
 

@@ -101,7 +101,9 @@ TEST(SpeedLimits, KeepTheHeading) {
   EXPECT_EQ(limited(V{{3, 4}}, 5, 5), (V{{3, 4}}));
 }
 
-TEST(SpeedLimits, ABoidAtRestStaysAtRest) { EXPECT_EQ(limited(V{}, 5, 10), V{}); }
+TEST(SpeedLimits, ABoidAtRestStaysAtRest) {
+  EXPECT_EQ(limited(V{}, 5, 10), V{});
+}
 
 TEST(SpeedLimits, HoldForWhatOverflowsWhenSquared) {
   const V huge = limited(V{{-3e30f, 4e30f}}, 1, 5);

@@ -95,7 +95,8 @@ TEST(Bounce, OnTheWallIsInside) {
 }
 
 TEST(Bounce, TwiceInAStepKeepsTheVelocity) {
-  const Moved twice = after_a_step(box(BoundaryKind::bounce), {90, 30}, {120, 0});  // 210: wall at 100, wall at 0
+  const Moved twice =
+      after_a_step(box(BoundaryKind::bounce), {90, 30}, {120, 0});  // 210: wall at 100, wall at 0
   EXPECT_EQ(twice.position[0], 10);
   EXPECT_EQ(twice.velocity[0], 120);
 }
@@ -111,7 +112,8 @@ RC_GTEST_PROP(Edges, WrapAndBounceKeepEverybodyInside, ()) {
   Vec<3> position;
   Vec<3> velocity{{1, -2, 3}};
   const float far = *rc::gen::element(1.0f, 1000.0f, 1e6f, 1e15f);
-  for (int axis = 0; axis < 3; ++axis) position[axis] = far * static_cast<float>(*rc::gen::inRange(-1000, 1000)) / 999;
+  for (int axis = 0; axis < 3; ++axis)
+    position[axis] = far * static_cast<float>(*rc::gen::inRange(-1000, 1000)) / 999;
   keep_inside(model, position, velocity);
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);

@@ -9,7 +9,8 @@ namespace sturnus::test {
 namespace {
 
 void expect_near(const Point& found, const Point& expected) {
-  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(found[axis], expected[axis], 1e-6) << "axis " << axis;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(found[axis], expected[axis], 1e-6) << "axis " << axis;
 }
 
 ScenarioDef fish_and_hawks(SteeringForm form) {
@@ -49,7 +50,8 @@ TEST(Flee, SeekFormIsFullSpeedAwayMinusTheVelocity) {
 TEST(Flee, SeekFormWithoutATopSpeedIsRefused) {
   ScenarioDef scenario = fish_and_hawks(SteeringForm::seek);
   scenario.flocks[0].max_speed = infinity;
-  EXPECT_NE(to_text(check(scenario)).find("flock.fish.flee.form"), std::string::npos) << to_text(check(scenario));
+  EXPECT_NE(to_text(check(scenario)).find("flock.fish.flee.form"), std::string::npos)
+      << to_text(check(scenario));
 }
 
 TEST(Flee, NobodyInSightIsNoForce) {

@@ -8,8 +8,9 @@ namespace {
 
 testing::AssertionResult near(const Point& found, const Point& expected) {
   if (distance(found, expected) <= 1e-6 * (1 + length_of(expected))) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "(" << found[0] << ", " << found[1] << ", " << found[2] << ") is not ("
-                                     << expected[0] << ", " << expected[1] << ", " << expected[2] << ")";
+  return testing::AssertionFailure() << "(" << found[0] << ", " << found[1] << ", " << found[2]
+                                     << ") is not (" << expected[0] << ", " << expected[1] << ", "
+                                     << expected[2] << ")";
 }
 
 ScenarioDef with(const Separation& term, int dimensions = 2) {
@@ -41,12 +42,14 @@ TEST(Separation, EveryStrengthAndCombination) {
   EXPECT_TRUE(near(felt(Strength::constant, Combine::mean), {0.2f, -0.4f}));
   EXPECT_TRUE(near(felt(Strength::grows, Combine::sum), {-1, -4}));
   EXPECT_TRUE(near(felt(Strength::grows, Combine::mean), {-0.5f, -2}));
-  EXPECT_TRUE(near(felt_by(with(Separation{.weight = 2.5, .strength = Strength::grows}), three), {-2.5f, -10}));
+  EXPECT_TRUE(
+      near(felt_by(with(Separation{.weight = 2.5, .strength = Strength::grows}), three), {-2.5f, -10}));
 }
 
 TEST(Separation, InThreeDimensions) {
   // (2, 3, 6) is 7 away: o/d² = (2, 3, 6)/49.
-  EXPECT_TRUE(near(felt_by(with(Separation{}, 3), {{{0, 0, 0}}, {{2, 3, 6}}}), {-2 / 49.f, -3 / 49.f, -6 / 49.f}));
+  EXPECT_TRUE(
+      near(felt_by(with(Separation{}, 3), {{{0, 0, 0}}, {{2, 3, 6}}}), {-2 / 49.f, -3 / 49.f, -6 / 49.f}));
 }
 
 TEST(Ring, TheOuterEdgeIsOpenUnlessClosed) {
@@ -110,8 +113,9 @@ TEST(Alignment, OfHeadings) {
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .match = Match::heading, .relative = false}), moving),
                    {0.5f, 0.5f}));
   const std::vector<Placed> one_rests = {{{0, 0}, {1, 0}}, {{1, 0}, {0, 5}}, {{2, 0}, {0, 0}}};
-  EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .match = Match::heading, .relative = false}), one_rests),
-                   {0, 0.5f}));  // the heading of a boid at rest is zero and counts
+  EXPECT_TRUE(
+      near(felt_by(with(Alignment{.weight = 1, .match = Match::heading, .relative = false}), one_rests),
+           {0, 0.5f}));  // the heading of a boid at rest is zero and counts
 }
 
 TEST(Alignment, AloneItFeelsNothingButItsOwnUncomparedSelf) {
@@ -119,7 +123,8 @@ TEST(Alignment, AloneItFeelsNothingButItsOwnUncomparedSelf) {
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1}), alone), {}));
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .relative = false}), alone), {}));
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .count_self = true}), alone), {}));
-  EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .relative = false, .count_self = true}), alone), {1, 2}));
+  EXPECT_TRUE(
+      near(felt_by(with(Alignment{.weight = 1, .relative = false, .count_self = true}), alone), {1, 2}));
 }
 
 TEST(Cohesion, EveryStrengthAndCombination) {
@@ -127,8 +132,10 @@ TEST(Cohesion, EveryStrengthAndCombination) {
   EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1}), boids), {2, 1}));
   EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .count_self = true}), boids), {4 / 3.f, 2 / 3.f}));
   EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .combine = Combine::sum}), boids), {4, 2}));
-  EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .strength = Strength::fades}), boids), {0.125f, 0.25f}));
-  EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .strength = Strength::constant}), boids), {0.5f, 0.5f}));
+  EXPECT_TRUE(
+      near(felt_by(with(Cohesion{.weight = 1, .strength = Strength::fades}), boids), {0.125f, 0.25f}));
+  EXPECT_TRUE(
+      near(felt_by(with(Cohesion{.weight = 1, .strength = Strength::constant}), boids), {0.5f, 0.5f}));
 }
 
 TEST(Cohesion, TakesTheNearestImageInAWrappedSpace) {
@@ -211,11 +218,13 @@ TEST(Terms, SeveralOfAKindAddUp) {
 TEST(WholePopulation, IsEverybodyElseHoweverFar) {
   const std::vector<Placed> boids = {{{0, 0}, {1, 0}}, {{900, 0}, {0, 2}}, {{-300, 600}, {4, 0}}};
   EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .radius = infinity}), boids), {300, 300}));
-  EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .radius = infinity, .count_self = true}), boids), {200, 200}));
+  EXPECT_TRUE(
+      near(felt_by(with(Cohesion{.weight = 1, .radius = infinity, .count_self = true}), boids), {200, 200}));
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .radius = infinity}), boids), {1, 1}));
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1, .radius = infinity, .match = Match::heading}), boids),
                    {-0.5f, 0.5f}));
-  EXPECT_TRUE(near(felt_by(with(Separation{.radius = infinity, .strength = Strength::grows}), boids), {-600, -600}));
+  EXPECT_TRUE(
+      near(felt_by(with(Separation{.radius = infinity, .strength = Strength::grows}), boids), {-600, -600}));
   EXPECT_TRUE(near(felt_by(with(Cohesion{.weight = 1, .radius = infinity}), {boids[0]}), {}));
 }
 

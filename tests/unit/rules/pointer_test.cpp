@@ -22,7 +22,8 @@ Point felt(const ScenarioDef& scenario, const MovePointer& pointer, const Placed
 }
 
 void expect_near(const Point& found, const Point& expected) {
-  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(found[axis], expected[axis], 1e-5) << "axis " << axis;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(found[axis], expected[axis], 1e-5) << "axis " << axis;
 }
 
 const MovePointer attract{PointerMode::attract, {3, 4}, true};
@@ -34,7 +35,8 @@ TEST(Pointer, AttractsAndRepelsInEveryForm) {
   expect_near(felt(world_with(SteeringForm::heading), repel, boid), {0.5f * -1.6f, 0.5f * -0.8f, 0});
   expect_near(felt(world_with(SteeringForm::linear), attract, boid), {1.5f, 2, 0});
   expect_near(felt(world_with(SteeringForm::linear), repel, boid), {-1.5f, -2, 0});
-  expect_near(felt(world_with(SteeringForm::seek), attract, boid), {29.5f, 40, 0});  // 100 (0.6, 0.8) - (1, 0), half
+  expect_near(felt(world_with(SteeringForm::seek), attract, boid),
+              {29.5f, 40, 0});  // 100 (0.6, 0.8) - (1, 0), half
 }
 
 TEST(Pointer, IsFeltOnlyWhilePressedAndInRange) {

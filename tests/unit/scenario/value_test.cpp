@@ -43,8 +43,10 @@ TEST(NumberText, IsTheShortestThatReadsBack) {
 /// Any value without nan, lists nested a little.
 Value random_value(int depth) {
   switch (*rc::gen::inRange(0, depth > 0 ? 4 : 3)) {
-    case 0: return {*rc::gen::arbitrary<bool>()};
-    case 1: return {*rc::gen::arbitrary<double>()};
+    case 0:
+      return {*rc::gen::arbitrary<bool>()};
+    case 1:
+      return {*rc::gen::arbitrary<double>()};
     case 2: {
       const auto codes = *rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 128));
       return {std::string(codes.begin(), codes.end())};

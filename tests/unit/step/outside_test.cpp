@@ -17,7 +17,8 @@ TEST(AddRule, Wind) {
   windy.run(100);
   const auto mean_x = [](const Simulation& simulation) {
     double sum = 0;
-    for (std::size_t i = 0; i < simulation.view().size(); ++i) sum += double{simulation.view().velocity(i)[0]};
+    for (std::size_t i = 0; i < simulation.view().size(); ++i)
+      sum += double{simulation.view().velocity(i)[0]};
     return sum / static_cast<double>(simulation.view().size());
   };
   EXPECT_GT(mean_x(windy), mean_x(calm) + 0.5);

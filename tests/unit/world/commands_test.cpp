@@ -86,18 +86,23 @@ std::string refusal(Simulation& simulation, const Command& command) {
 TEST(Commands, SayWhatIsWrongAndChangeNothing) {
   Simulation simulation = world_of(wrapped_world(), {{{1, 1}}});
   const double nan = std::nan("");
-  EXPECT_NE(refusal(simulation, SetParameter{"flock.boids.max_sped", "4"}).find("max_speed"), std::string::npos);
+  EXPECT_NE(refusal(simulation, SetParameter{"flock.boids.max_sped", "4"}).find("max_speed"),
+            std::string::npos);
   EXPECT_NE(refusal(simulation, SetParameter{"seed", "4"}).find("can't change"), std::string::npos);
-  EXPECT_NE(refusal(simulation, SetParameter{"flock.boids.min_speed", "-1"}).find("negative"), std::string::npos);
-  EXPECT_NE(refusal(simulation, SetParameter{"flock.boids.min_speed", "fast"}).find("number"), std::string::npos);
-  EXPECT_NE(refusal(simulation, AddBoids{"boid", 1, {0, 0}, 0}).find("did you mean \"boids\""), std::string::npos);
+  EXPECT_NE(refusal(simulation, SetParameter{"flock.boids.min_speed", "-1"}).find("negative"),
+            std::string::npos);
+  EXPECT_NE(refusal(simulation, SetParameter{"flock.boids.min_speed", "fast"}).find("number"),
+            std::string::npos);
+  EXPECT_NE(refusal(simulation, AddBoids{"boid", 1, {0, 0}, 0}).find("did you mean \"boids\""),
+            std::string::npos);
   EXPECT_NE(refusal(simulation, AddBoids{"boids", 1, {0, 0, 0}, 0}).find("2 coordinates"), std::string::npos);
   EXPECT_NE(refusal(simulation, AddBoids{"boids", -1, {0, 0}, 0}).find("count"), std::string::npos);
   EXPECT_NE(refusal(simulation, EraseBoids{{0, nan}, 1}).find("finite"), std::string::npos);
   EXPECT_NE(refusal(simulation, EraseBoids{{0, 0}, nan}).find("radius"), std::string::npos);
   EXPECT_NE(refusal(simulation, MoveBoid{77, {0, 0}, {0, 0}}).find("77"), std::string::npos);
   EXPECT_NE(refusal(simulation, MoveBoid{0, {0, 0}, {0}}).find("velocity"), std::string::npos);
-  EXPECT_NE(refusal(simulation, MovePointer{PointerMode::attract, {}, true}).find("coordinates"), std::string::npos);
+  EXPECT_NE(refusal(simulation, MovePointer{PointerMode::attract, {}, true}).find("coordinates"),
+            std::string::npos);
 }
 
 TEST(Commands, EventsInVainAreCounted) {

@@ -1,5 +1,5 @@
-// How boids begin: where each region puts them, how fast they are, and that nothing depends on anything but the
-// seed and the id.
+// How boids begin: where each region puts them, how fast they are, and that nothing depends on anything but
+// the seed and the id.
 #include "world/spawn.h"
 
 #include <gtest/gtest.h>

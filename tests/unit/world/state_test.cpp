@@ -32,7 +32,9 @@ State full_state(int dimensions, std::size_t count) {
   return state;
 }
 
-void flip(float& value, int bit) { value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ (1u << bit)); }
+void flip(float& value, int bit) {
+  value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ (1u << bit));
+}
 template <class T>
 void flip(T& value, int bit) {
   value = static_cast<T>(value ^ (T{1} << bit));
