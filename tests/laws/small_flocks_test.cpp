@@ -172,7 +172,7 @@ TEST(RadiusZero, OfEveryTermIsAFlockOfStrangers) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     const Point v = velocity_of(simulation, before.id[i]);
     const double speed = std::hypot(before.velocity[0][i], before.velocity[1][i]);
-    EXPECT_NEAR(length_of(v), std::max(1.0, speed), 1e-5);
+    EXPECT_NEAR(length_of(v), std::max(flock.min_speed, speed), 1e-5);
   }
 }
 

@@ -54,12 +54,12 @@ TEST(Separation, InThreeDimensions) {
 
 TEST(Ring, TheOuterEdgeIsOpenUnlessClosed) {
   const std::vector<Placed> on_edge = {{{0, 0}}, {{12, 0}}};
-  EXPECT_TRUE(near(felt_by(with(Separation{.edge = Edge::open}), on_edge), {}));
-  EXPECT_TRUE(near(felt_by(with(Separation{.edge = Edge::closed}), on_edge), {-1 / 12.f, 0}));
+  EXPECT_TRUE(near(felt_by(with(Separation{.radius = 12, .edge = Edge::open}), on_edge), {}));
+  EXPECT_TRUE(near(felt_by(with(Separation{.radius = 12, .edge = Edge::closed}), on_edge), {-1 / 12.f, 0}));
   const std::vector<Placed> beyond = {{{0, 0}}, {{std::nextafter(12.0f, 13.0f), 0}}};
-  EXPECT_TRUE(near(felt_by(with(Separation{.edge = Edge::closed}), beyond), {}));
+  EXPECT_TRUE(near(felt_by(with(Separation{.radius = 12, .edge = Edge::closed}), beyond), {}));
   const std::vector<Placed> within = {{{0, 0}}, {{std::nextafter(12.0f, 11.0f), 0}}};
-  EXPECT_TRUE(near(felt_by(with(Separation{.edge = Edge::open}), within), {-1 / 12.f, 0}));
+  EXPECT_TRUE(near(felt_by(with(Separation{.radius = 12, .edge = Edge::open}), within), {-1 / 12.f, 0}));
 }
 
 TEST(Ring, TheInnerEdgeIsClosed) {

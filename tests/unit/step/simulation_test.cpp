@@ -78,6 +78,8 @@ TEST(Create, ASavedStateHasItsBoidsAlreadyAndOnlyItsSettingsAreDoneAgain) {
 ScenarioDef lively() {
   ScenarioDef scenario;
   scenario.flocks.front().count = 80;
+  scenario.flocks.front().min_speed = 1;
+  scenario.flocks.front().max_speed = 2;
   scenario.flocks.front().wander = Wander{};
   scenario.flocks.front().noise = Noise{.acceleration = 0.05};
   return scenario;
