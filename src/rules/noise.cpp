@@ -1,4 +1,6 @@
 // Noise: a random acceleration in the weighted sum, and a random turn after the velocity update (Vicsek 1995).
+#include <cmath>
+
 #include "base/root.h"
 #include "rules/rules.h"
 
@@ -17,9 +19,10 @@ Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
 
 // About a random axis perpendicular to v: v cos + (axis x v) sin.
 Vec<3> turned(const Vec<3>& v, const CosSin& angle, Draws& draws) {
+  const Vec<3> heading = unit(v);
   Vec<3> axis;
   do {
-    axis = unit(cross(v, draws.direction<3>()));
+    axis = unit(cross(heading, draws.direction<3>()));
   } while (axis == Vec<3>{});
   return v * static_cast<float>(angle.cos) + cross(axis, v) * static_cast<float>(angle.sin);
 }
@@ -34,7 +37,9 @@ Vec<D> noise_acceleration(const TermModel& term, const Self<D>& self, const Mome
 
 template <int D>
 Vec<D> turned_at_random(const Vec<D>& velocity, float eta, std::uint64_t id, const Moment& moment) {
-  if (eta == 0 || !(dot(velocity, velocity) > 0)) return velocity;
+  const float squared = dot(velocity, velocity);
+  // Without a direction, or with one lost to overflow, there is nothing to turn; the latter ends in quarantine.
+  if (eta == 0 || !(squared > 0) || !std::isfinite(squared)) return velocity;
   Draws draws(moment.seed, moment.step, id, Stream::noise_turn);
   const float angle = eta * (draws.uniform() - 0.5f);
   return turned(velocity, cos_sin(double{angle}), draws);
