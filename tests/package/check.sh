@@ -16,7 +16,7 @@ try() {
   local name=$1
   shift
   cmake -S "$source/tests/package" -B "$work/$name" "-DEXAMPLE=$work/example.cpp" "$@" >"$work/log" 2>&1 &&
-    cmake --build "$work/$name" --parallel >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+    cmake --build "$work/$name" --parallel "$(nproc)" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
   for program in example core_example; do
     "$work/$name/$program" >"$work/$name.$program"
     grep -Eq '[0-9a-f]{16}' "$work/$name.$program" || { echo "$name $program printed no hash" >&2; exit 1; }

@@ -14,8 +14,9 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float denormal = 1e-42f;
 
 /// A flock that uses every kind of sum, so that a bad number has every way to spread.
-ScenarioDef crowd(BoundaryKind boundary, IndexKind index) {
+ScenarioDef crowd(BoundaryKind boundary, IndexKind index, int dimensions = 2) {
   ScenarioDef scenario;
+  scenario.space.dimensions = dimensions;
   scenario.space.boundary.kind = boundary;
   scenario.index.kind = index;
   FlockDef& flock = scenario.flocks.front();
@@ -50,7 +51,7 @@ const std::vector<BoundaryKind> boundaries = {BoundaryKind::open, BoundaryKind::
 TEST(Quarantine, ABadNumberInAnyArrayOfTheStartSpoilsNobodyElse) {
   for (const BoundaryKind boundary : boundaries) {
     for (const IndexKind index : {IndexKind::grid, IndexKind::tree, IndexKind::all_pairs}) {
-      const ScenarioDef scenario = crowd(boundary, index);
+      const ScenarioDef scenario = crowd(boundary, index, index == IndexKind::grid ? 3 : 2);
       const State good = start(scenario).view().state();
       for (const float bad : {nan, inf, -inf, 1e38f, -2e15f}) {
         for (const auto array : {&State::position, &State::velocity, &State::wander, &State::colour}) {
@@ -81,7 +82,7 @@ TEST(Quarantine, DenormalsAreNumbersLikeOthers) {
 TEST(Quarantine, ABadAccelerationStopsItsBoidAlone) {
   for (const BoundaryKind boundary : boundaries) {
     for (const float bad : {nan, inf, -inf}) {
-      Simulation simulation = start(crowd(boundary, IndexKind::grid));
+      Simulation simulation = start(crowd(boundary, IndexKind::grid, 3));
       simulation.run(2);
       const Point before = position_of(simulation, 40);
       simulation.external().add(simulation.view().slot(40).value(), bad, 0);
@@ -92,8 +93,9 @@ TEST(Quarantine, ABadAccelerationStopsItsBoidAlone) {
   }
 }
 
-TEST(Quarantine, ARuleThatWritesBadNumbersEverywhereStopsWhomItHits) {
-  Simulation simulation = start(crowd(BoundaryKind::turn, IndexKind::tree));
+void expect_a_spoiling_rule_to_stop_whom_it_hits(int dimensions) {
+  ScenarioDef scenario = crowd(BoundaryKind::turn, IndexKind::tree, dimensions);
+  Simulation simulation = start(scenario);
   simulation.add_rule("spoil", 0, [](const View& view, Accelerations& out) {
     for (std::size_t i = 0; i < view.size(); ++i) {
       const std::uint64_t id = view.id(i);
@@ -106,6 +108,30 @@ TEST(Quarantine, ARuleThatWritesBadNumbersEverywhereStopsWhomItHits) {
   std::set<std::uint64_t> hit;
   for (std::uint64_t id = 0; id < 120; id += 10) hit.insert(id);
   expect_all_well_but(simulation, hit);
+}
+
+TEST(Quarantine, ARuleThatWritesBadNumbersEverywhereStopsWhomItHits) {
+  expect_a_spoiling_rule_to_stop_whom_it_hits(2);
+  expect_a_spoiling_rule_to_stop_whom_it_hits(3);
+}
+
+TEST(Quarantine, WithoutLimitsHugeAccelerationsAreBadNumbersToo) {
+  for (const int dimensions : {2, 3}) {
+    ScenarioDef scenario = crowd(BoundaryKind::open, IndexKind::grid, dimensions);
+    FlockDef& flock = scenario.flocks.front();
+    flock.max_acceleration = infinity;
+    for (const double max_speed : {3.0, infinity}) {
+      flock.max_speed = max_speed;
+      for (const float huge : {1e16f, 1e25f, 1e38f, 3e38f}) {
+        Simulation simulation = start(scenario);
+        simulation.external().add(5, huge, -huge, huge);
+        simulation.run(3);
+        EXPECT_TRUE(all_finite(simulation.view().state()));
+        EXPECT_LE(simulation.report().quarantined, 1u);
+        EXPECT_GE(simulation.report().quarantined, std::isinf(max_speed) ? 1u : 0u) << huge;
+      }
+    }
+  }
 }
 
 TEST(Quarantine, AnUnlimitedBoidThatRunsAwayIsStoppedAtItsLastGoodPlace) {
