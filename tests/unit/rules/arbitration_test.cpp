@@ -82,8 +82,11 @@ TEST(Cap, ShortensTheSumAndNothingElse) {
   const Point capped_sum = felt_by(scenario, crossing);
   EXPECT_NEAR(length_of(capped_sum), 1, 1e-6);
   EXPECT_NEAR(capped_sum[1] / capped_sum[0], 1.5, 1e-5);
-  scenario.space.boundary = {BoundaryKind::turn, {2000}, 7};  // comes after the cap
-  EXPECT_NEAR(felt_by(scenario, crossing)[0], capped_sum[0] + 7 - 7, 1e-5);
+  scenario.space.min = {-1, -1000};
+  scenario.space.boundary = {BoundaryKind::turn, {3}, 7};  // comes after the cap
+  const Point turned = felt_by(scenario, crossing);
+  EXPECT_NEAR(turned[0], capped_sum[0] + 7, 1e-5);
+  EXPECT_NEAR(turned[1], capped_sum[1], 1e-5);
 }
 
 TEST(Cap, HoldsForWhatOverflowsWhenSquared) {

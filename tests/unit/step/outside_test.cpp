@@ -90,6 +90,17 @@ TEST(External, IsFeltByItsBoidInTheNextStepOnly) {
   EXPECT_EQ(velocity_of(simulation, 0), (Point{1, 2, 0}));
 }
 
+TEST(External, FindsItsBoidWhetherOrNotTheIndexSorts) {
+  ScenarioDef scenario = bare();
+  scenario.flocks.front().cohesion = {{.weight = 0, .radius = 3}};
+  Simulation simulation = world_of(scenario, {{{9, 9}}, {{1, 1}}, {{5, 5}}});
+  simulation.step();
+  must(simulation.push(SetParameter{"flock.boids.cohesion.on", "false"}));
+  simulation.external().add(simulation.view().slot(0).value(), 1, 2);
+  simulation.step();
+  EXPECT_EQ(velocity_of(simulation, 0), (Point{1, 2, 0}));
+}
+
 TEST(External, IsForgottenWhenBoidsComeOrGo) {
   Simulation simulation = world_of(bare(), {{{0, 0}}, {{5, 5}}});
   simulation.external().add(0, 1, 1);
