@@ -72,7 +72,7 @@ inline State state_of(int dimensions, const std::vector<Placed>& boids) {
 }
 
 /// A world whose boids are exactly those of a state.
-inline Simulation world_of(ScenarioDef scenario, const State& state, int threads = 1) {
+inline Simulation world_from(ScenarioDef scenario, const State& state, int threads = 1) {
   scenario.run.initial = "by hand";
   SimulationOptions options;
   options.threads = threads;
@@ -81,7 +81,7 @@ inline Simulation world_of(ScenarioDef scenario, const State& state, int threads
 }
 
 inline Simulation world_of(const ScenarioDef& scenario, const std::vector<Placed>& boids, int threads = 1) {
-  return world_of(scenario, state_of(static_cast<int>(scenario.space.dimensions), boids), threads);
+  return world_from(scenario, state_of(static_cast<int>(scenario.space.dimensions), boids), threads);
 }
 
 /// A world that starts as its scenario says.

@@ -74,7 +74,10 @@ Status apply(const ScenarioOptions& options, ScenarioDef& scenario) {
   }
   if (options.seed) scenario.seed = *options.seed;
   if (options.steps) scenario.run.steps = *options.steps;
-  if (options.first_step) scenario.run.first_step = *options.first_step;
+  if (options.first_step) {
+    scenario.run.first_step = *options.first_step;
+    scenario.run.resumed = true;
+  }
   if (!options.initial.empty()) scenario.run.initial = path_for(scenario, options.initial);
   if (options.index.empty()) return {};
   return set_for("--index", scenario, "index.kind", {options.index});

@@ -175,7 +175,6 @@ struct FlockDef {
   Colour colour;
   std::optional<GlyphStyle> glyph;   ///< how a boid is drawn; not given: dart in 2D, cone in 3D
   double size = 5.0;            ///< length of a drawn boid
-  double body_radius = 1.0;     ///< length; what touches
 };
 
 /// What happens at the edge of the space.
@@ -262,11 +261,13 @@ struct Run {
   double link = 0.0;                 ///< length; neighbours this near are one cluster; 0: the largest finite radius
   std::string initial;               ///< state CSV with all boids, instead of every flock's start
   std::int64_t first_step = 0;       ///< number of the step that the start state stands at
+  bool resumed = false;              ///< `initial` was saved at first_step with that step's events done
   std::vector<Event> events;         ///< in order of their steps
 };
 
 struct CameraDef {
   CameraFit fit = CameraFit::space;
+  double room = 0.0;            ///< 2D: free room around what is shown, as a share of its size
   Coordinates eye;              ///< length; not given: a three-quarter view that fits
   Coordinates target;           ///< length; not given: the middle of what is fitted
   double field_of_view = 35.0;  ///< degrees, vertical

@@ -12,7 +12,7 @@ namespace sturnus {
 namespace {
 
 SceneColours scene_colours(const Theme& theme) {
-  return {theme.flocks, theme.outline, theme.surface, theme.grid, theme.text, theme.attractor};
+  return {theme.flocks, theme.outline, theme.surface, theme.text, theme.attractor};
 }
 
 Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {

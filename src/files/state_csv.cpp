@@ -169,6 +169,7 @@ class CsvReader {
       return fail(column.name, say("must be a whole number from 0 up, but found \"", cell, "\""));
     }
     if (column.ids != nullptr) {
+      if (number >= std::uint64_t{1} << 48) return fail(column.name, say("must be below 2^48, but found ", number));
       column.ids->push_back(number);
       return true;
     }

@@ -167,6 +167,7 @@ double nearest_distance_of(const Flock& flock) {
   const double share = volume / static_cast<double>(flock.slots.size());
   auto reach = static_cast<float>(0.5 * (D == 3 ? cube_root(share) : square_root(share)));
   std::vector<double> found(flock.slots.size(), -1);
+  reach = std::max(reach, std::numeric_limits<float>::min());
   std::size_t open = found.size();
   while (open > 0) {
     const Sorted sorted(flock, reach);

@@ -153,6 +153,10 @@ Framing framing_of(const View& view) {
     out.low[a] -= room;
     out.high[a] += room;
   }
+  if (view.dimensions() == 3) return out;
+  const Vec<3> room = (out.high - out.low) * static_cast<float>(view.scenario().camera.room);
+  out.low -= room;
+  out.high += room;
   return out;
 }
 

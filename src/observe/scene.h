@@ -15,7 +15,7 @@ namespace sturnus {
 /// Colours that a scene takes from the theme.
 struct SceneColours {
   std::array<Rgba, 6> flocks{};
-  Rgba outline, surface, grid, text, accent;
+  Rgba outline, surface, text, accent;
 };
 
 /// What besides the boids is put into a scene.

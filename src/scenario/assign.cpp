@@ -10,7 +10,10 @@ namespace {
 
 using Error = std::optional<std::string>;
 
-std::string found(const Value& value) { return say("but found ", to_text(value)); }
+std::string found(const Value& value) {
+  const std::string text = to_text(value);
+  return say("but found ", text.size() > 80 ? text.substr(0, 77) + "..." : text);
+}
 
 Error check_number(double number, const About& about) {
   if (std::isnan(number)) return "must be a number, but is not one (nan)";
@@ -22,6 +25,21 @@ Error check_number(double number, const About& about) {
   }
   if (number > about.high) return say("must be at most ", number_text(about.high), ", but is ", number_text(number));
   return {};
+}
+
+// Whether bytes are UTF-8, as every TOML file must be.
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+    if (length == 0 || i + length > text.size()) return false;
+    for (std::size_t j = 1; j < length; ++j) {
+      if ((static_cast<unsigned char>(text[i + j]) & 0xc0) != 0x80) return false;
+    }
+    i += length;
+  }
+  return true;
 }
 
 struct Assigner {
@@ -66,6 +84,7 @@ struct Assigner {
   Error operator()(std::string* place) const {
     const auto* given = std::get_if<std::string>(&value.held);
     if (given == nullptr) return say("must be text, ", found(value));
+    if (!is_utf8(*given)) return "must be text in UTF-8";
     *place = *given;
     return {};
   }
@@ -141,6 +160,7 @@ struct Assigner {
     for (const Value& item : *list) {
       const auto* name = std::get_if<std::string>(&item.held);
       if (name == nullptr) return say("must be a list of names such as [\"hawks\"], ", found(value));
+      if (!is_utf8(*name)) return "must be text in UTF-8";
       given.push_back(*name);
     }
     place = given;

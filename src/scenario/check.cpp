@@ -54,6 +54,7 @@ class Checker {
     if (space.min.empty() != space.max.empty()) {
       return say_error(space.min.empty() ? "space.min" : "space.max", "is missing; min and max go together");
     }
+    if (!space.min.empty() && space.per_boid) return say_error("space.per_boid", "give per_boid, or min and max, not both");
     if (space.min.empty() && space.per_boid && !(*space.per_boid > 0)) {
       return say_error("space.per_boid", "must be above 0, or give space.min and space.max");
     }
@@ -69,8 +70,15 @@ class Checker {
   void check_extent() {
     const Extent extent = extent_of(scenario_);
     for (std::size_t axis = 0; axis < axes(); ++axis) {
-      if (std::abs(extent.min[axis]) <= 1e15 && std::abs(extent.max[axis]) <= 1e15) continue;
-      return say_error(scenario_.space.min.empty() ? "space.per_boid" : "space.max", "makes the space reach beyond 1e15");
+      const std::string key = scenario_.space.min.empty() ? "space.per_boid" : "space.max";
+      if (!(std::abs(extent.min[axis]) <= 1e15 && std::abs(extent.max[axis]) <= 1e15)) {
+        return say_error(key, "makes the space reach beyond 1e15");
+      }
+      const float size = static_cast<float>(extent.max[axis]) - static_cast<float>(extent.min[axis]);
+      const double coarse = 1e-6 * std::max(std::abs(extent.min[axis]), std::abs(extent.max[axis]));
+      if (!(size >= 1e-15f) || !(double{size} > coarse)) {
+        return say_error(key, "makes the space too small for its place to be told apart in single precision");
+      }
     }
   }
 
@@ -218,7 +226,7 @@ class Checker {
     for (std::size_t i = 0; i < scenario_.run.events.size(); ++i) {
       const Event& event = scenario_.run.events[i];
       if (const auto error = check_command(now, event.command)) {
-        say_error("run.events", say("event ", i + 1, " (step ", event.step, "): ", *error));
+        say_error(say("run.events.", i), say("the event of step ", event.step, ": ", *error));
         continue;
       }
       const auto* set = std::get_if<SetParameter>(&event.command);

@@ -159,7 +159,7 @@ std::optional<std::string> check_radius(double radius) {
 }
 
 bool fixed_while_running(std::string_view path) {
-  for (const char* fixed : {"format", "seed", "space.dimensions", "run.initial", "run.first_step"}) {
+  for (const char* fixed : {"format", "seed", "space.dimensions", "run.steps", "run.initial", "run.first_step", "run.resumed"}) {
     if (path == fixed) return true;
   }
   if (!path.starts_with("flock.")) return false;
@@ -212,7 +212,7 @@ Value to_value(const Event& event) {
 
 std::variant<Event, std::string> event_from(const Value& value) {
   const auto* list = std::get_if<Value::List>(&value.held);
-  if (list == nullptr) return say("an event is a list such as [120, \"set\", path, value], but found ", to_text(value));
+  if (list == nullptr) return say("an event is a list such as [120, \"set\", path, value], but found another value");
   Parts parts(*list);
   Event event;
   event.step = parts.whole("step");

@@ -178,9 +178,9 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
   visitor.field("name", &flock.name, {"", "what paths, messages and other flocks call it"});
   visitor.field("count", &flock.count, {"boids", "how many there are at the start", 0, 1e9, false, "", "prog06 (S1-5)"});
   visitor.table("start", {"", "where boids begin and how fast"}, [&](FieldVisitor& inner) { visit_start(flock.start, inner); }, "region");
-  visitor.field("min_speed", &flock.min_speed, {"length per time", "least speed; a boid at rest stays at rest", 0, infinity,
+  visitor.field("min_speed", &flock.min_speed, {"length per time", "least speed; a boid at rest stays at rest", 0, 1e15,
                                                 false, "", "UCSD (S0-10)"});
-  visitor.field("max_speed", &flock.max_speed, {"length per time", "largest speed", 0, infinity, true, "", "UCSD (S0-10)"});
+  visitor.field("max_speed", &flock.max_speed, {"length per time", "largest speed", 0, 1e15, true, "", "UCSD (S0-10)"});
   visitor.field("max_acceleration", &flock.max_acceleration,
                 {"length per time squared", "cap on the length of the sum of all terms", 0, infinity, true,
                  "a·min(1, max/|a|)", "prog06 (S1-12)"});
@@ -208,7 +208,6 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
                                 }},
                 {"", "how a boid is drawn; auto: a dart in 2D, a cone in 3D", 0, 0, false, "", "CS 184 (S4-32), prog06 (S1-16)"});
   visitor.field("size", &flock.size, {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
-  visitor.field("body_radius", &flock.body_radius, {"length", "radius of the body that touches", 0, infinity});
 }
 
 void visit_boundary(Boundary& boundary, FieldVisitor& visitor) {
@@ -248,6 +247,7 @@ void visit_run(Run& run, FieldVisitor& visitor) {
   }, "every");
   visitor.field("initial", &run.initial, {"", "state CSV with all boids, in place of every flock's start"});
   visitor.field("first_step", &run.first_step, {"steps", "number of the step at which the start state stands", 0, 1e15});
+  visitor.field("resumed", &run.resumed, {"", "the state in initial was saved with the events of first_step already done"});
 }
 
 void visit_index(Index& index, FieldVisitor& visitor) {
@@ -270,6 +270,7 @@ void visit_pointer(Pointer& pointer, FieldVisitor& visitor) {
 
 void visit_camera(CameraDef& camera, FieldVisitor& visitor) {
   visitor.field("fit", choice(camera.fit, {"space", "flock"}), {"", "what the picture shows: the space, or where the boids are"});
+  visitor.field("room", &camera.room, {"", "2D: free room around what is shown, as a share of its size", 0, 100});
   visitor.field("eye", CoordinatesRef{&camera.eye}, {"length", "3D: where the camera stands; default: a three-quarter view"});
   visitor.field("target", CoordinatesRef{&camera.target}, {"length", "3D: what it looks at; default: the middle"});
   visitor.field("field_of_view", &camera.field_of_view, {"degrees", "3D: vertical angle of the picture", 1, 170});

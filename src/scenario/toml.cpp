@@ -191,6 +191,9 @@ class TableReader : public FieldVisitor {
 
   void copy_like(const toml::table& table, std::size_t i) {
     auto& flocks = reading_.scenario.flocks;
+    if (!table.get("like")->is_string()) {
+      return reading_.say_error(*table.get("like"), "flock.like", "must be text, the name of an earlier flock");
+    }
     const std::string like = table["like"].value_or(std::string());
     std::vector<std::string> earlier;
     for (std::size_t j = 0; j < i; ++j) {
@@ -218,6 +221,7 @@ void read_events(const toml::table& root, Reading& reading) {
   reading.lines["run.events"] = Reading::line_of(*node);
   const auto* array = node->as_array();
   if (array == nullptr) return reading.say_error(*node, "run.events", "must be a list of events such as [[120, \"set\", path, value]]");
+  std::vector<std::pair<Event, int>> found;  // with their lines
   for (const toml::node& item : *array) {
     const auto value = value_of(item);
     if (!value) {
@@ -228,11 +232,15 @@ void read_events(const toml::table& root, Reading& reading) {
     if (const auto* error = std::get_if<std::string>(&event)) {
       reading.say_error(item, "run.events", *error);
     } else {
-      reading.scenario.run.events.push_back(std::get<Event>(std::move(event)));
+      found.emplace_back(std::get<Event>(std::move(event)), Reading::line_of(item));
     }
   }
-  std::stable_sort(reading.scenario.run.events.begin(), reading.scenario.run.events.end(),
-                   [](const Event& a, const Event& b) { return a.step < b.step; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first.step < b.first.step; });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    reading.scenario.run.events.push_back(std::move(found[i].first));
+    reading.lines[say("run.events.", i)] = found[i].second;
+  }
 }
 
 void read_root(const toml::table& root, Reading& reading) {
@@ -242,10 +250,6 @@ void read_root(const toml::table& root, Reading& reading) {
   read_events(root, reading);
   if (!root.contains("flock")) {
     reading.problems.push_back({reading.file, 0, "flock", "the file has no [[flock]]; the shortest scenario is [[flock]] with count = 300", false});
-  }
-  const toml::node* per_boid = root["space"]["per_boid"].node();
-  if (per_boid != nullptr && root["space"]["min"]) {
-    reading.say_error(*per_boid, "space.per_boid", "give per_boid, or min and max, not both");
   }
 }
 

@@ -122,26 +122,39 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Value parse_value(std::string_view text) {
+namespace {
+
+// Brackets nest no deeper than any real value; what does is text.
+constexpr int deepest_list = 16;
+
+Value parse_nested(std::string_view text, int depth) {
   text = trimmed(text);
   if (text == "true") return {true};
   if (text == "false") return {false};
   if (const auto number = number_in(text)) return {*number};
   if (is_quoted(text)) return {text.front() == '"' ? unescaped(text.substr(1, text.size() - 2))
                                                    : std::string(text.substr(1, text.size() - 2))};
-  if (text.size() >= 2 && text.front() == '[' && text.back() == ']') {
+  if (depth < deepest_list && text.size() >= 2 && text.front() == '[' && text.back() == ']') {
     Value::List list;
-    for (const auto item : list_items(text.substr(1, text.size() - 2))) list.push_back(parse_value(item));
+    for (const auto item : list_items(text.substr(1, text.size() - 2))) list.push_back(parse_nested(item, depth + 1));
     return {list};
   }
   return {std::string(text)};
 }
 
+}  // namespace
+
+Value parse_value(std::string_view text) { return parse_nested(text, 0); }
+
 std::string number_text(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   if (std::isnan(value)) return "nan";
   char buffer[64];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  // Beyond 2^53 in scientific form: TOML would take plain digits for a whole number that is too large.
+  const bool huge = std::abs(value) > 9007199254740992.0;
+  const auto end = huge ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific)
+                        : std::to_chars(buffer, buffer + sizeof buffer, value);
+  return {buffer, end.ptr};
 }
 
 std::string to_text(const Value& value) {

@@ -25,9 +25,9 @@ void move_boid(const Model& model, State& state, const Scratch& scratch, std::si
   velocity = turned_at_random(velocity, flock.noise_turn, state.id[i], {model.seed, state.step});
   const bool semi_implicit = model.integrator == Integrator::semi_implicit_euler;
   Vec<D> position = old_position + (semi_implicit ? velocity : old_velocity) * model.dt;
-  if (all_sound(position) && all_sound(velocity)) {
-    keep_inside(model, position, velocity);
-  } else {
+  const bool was_sound = all_sound(position) && all_sound(velocity);
+  if (was_sound) keep_inside(model, position, velocity);
+  if (!was_sound || !all_sound(position)) {
     state.quarantined[i] = 1;
     position = old_position;
     velocity = {};

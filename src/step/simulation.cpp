@@ -2,8 +2,10 @@
 #include <sturnus/simulation.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
+#include "base/float_settings.h"
 #include "base/text.h"
 #include "scenario/events.h"
 #include "step/step.h"
@@ -21,6 +23,15 @@ struct Logged {
 
 constexpr const char* external_name = "external";
 
+// Whether the first `count` events of two logs are the same.
+bool same_past(const std::vector<Logged>& one, const std::vector<Logged>& other, std::size_t count) {
+  if (one.size() < count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (to_text(to_value(one[i].event)) != to_text(to_value(other[i].event))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 struct Snapshot::Data {
@@ -36,6 +47,7 @@ std::uint64_t Snapshot::step() const { return data_ ? data_->state.step : 0; }
 Accelerations::Accelerations(Columns& columns, std::size_t slots) : columns_(&columns), size_(slots) {}
 
 void Accelerations::add(std::size_t slot, float x, float y, float z) {
+  assert(slot < size_);
   const std::array<float, 3> given = {x, y, z};
   for (std::size_t axis = 0; axis < 3 && !(*columns_)[axis].empty(); ++axis) (*columns_)[axis][slot] += given[axis];
 }
@@ -91,13 +103,28 @@ struct Simulation::World {
     for (; done < log.size() && log[done].event.step <= state.step; ++done) carry_out(log[done].event.command);
   }
 
-  // A state that was saved has its boids already; parameters and the pointer are set again.
-  void do_past_settings() {
-    for (; done < log.size() && log[done].event.step <= state.step; ++done) {
-      const Command& command = log[done].event.command;
-      const bool again = std::holds_alternative<SetParameter>(command) || std::holds_alternative<MovePointer>(command);
-      if (again) carry_out(command);
+  // A state that was saved has what events did to its boids; parameters and the pointer are set again, and what is
+  // past leaves the log: from here on it is part of how the run began.
+  void settle_past() {
+    const auto first = static_cast<std::uint64_t>(initial.run.first_step);
+    const auto is_past = [&](const Event& event) {
+      return event.step < first || (event.step == first && initial.run.resumed);
+    };
+    bool has_pointer = false;
+    std::size_t past = 0;
+    for (; past < log.size() && is_past(log[past].event); ++past) {
+      const Command& command = log[past].event.command;
+      const bool is_pointer = std::holds_alternative<MovePointer>(command);
+      if (is_pointer || std::holds_alternative<SetParameter>(command)) carry_out(command);
+      has_pointer = has_pointer || is_pointer;
     }
+    log.erase(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(past));
+    initial = scenario;
+    initial.run.resumed = false;
+    if (!has_pointer) return;
+    const auto axes = static_cast<std::ptrdiff_t>(model.dimensions);
+    const Coordinates at(state.pointer.at.begin(), state.pointer.at.begin() + axes);
+    log.insert(log.begin(), {{first, MovePointer{state.pointer.mode, at, state.pointer.pressed}}, false});
   }
 
   void record(const Command& command) {
@@ -133,13 +160,25 @@ const State* table_of(const SimulationOptions& options, const ScenarioDef& scena
   return &found->second;
 }
 
-void check_memory(const ScenarioDef& scenario, Problems& problems) {
-  const auto boids = static_cast<double>(scenario.boid_count());
-  if (bytes_needed(boids) <= 0.9 * bytes_available()) return;
+// The sentence for more boids than the machine can hold; empty when they fit.
+std::string too_many(double boids) {
+  if (bytes_needed(boids) <= 0.9 * bytes_available()) return {};
   const auto gigabytes = [](double bytes) { return static_cast<std::int64_t>(bytes / 1e9 + 0.5); };
-  problems.push_back({scenario.file, 0, "flock.count",
-                      say(scenario.boid_count(), " boids need about ", gigabytes(bytes_needed(boids)),
-                          " GB of memory, but this machine has ", gigabytes(bytes_available()), " GB"), false});
+  return say(boids, " boids need about ", gigabytes(bytes_needed(boids)), " GB of memory, but this machine has ",
+             gigabytes(bytes_available()), " GB");
+}
+
+void check_memory(const ScenarioDef& scenario, Problems& problems) {
+  auto boids = static_cast<double>(scenario.run.initial.empty() ? scenario.boid_count() : 0);
+  std::string key = "flock.count";
+  for (const Event& event : scenario.run.events) {
+    const auto* add = std::get_if<AddBoids>(&event.command);
+    if (add == nullptr) continue;
+    boids += static_cast<double>(add->count);
+    key = "run.events";
+  }
+  const std::string text = too_many(boids);
+  if (!text.empty()) problems.push_back({scenario.file, 0, key, text, false});
 }
 
 }  // namespace
@@ -150,18 +189,22 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 Result<Simulation> Simulation::create(const ScenarioDef& scenario, const SimulationOptions& options) {
+  const FloatSettings settings;
   Problems problems = check(scenario);
   if (has_errors(problems)) return problems;
   problems.clear();
   const Run& run = scenario.run;
   const State* all = run.initial.empty() ? nullptr : table_of(options, scenario, run.initial, "run.initial", problems);
-  if (run.initial.empty()) check_memory(scenario, problems);
+  check_memory(scenario, problems);
   if (!problems.empty()) return problems;
 
   auto world = std::make_unique<World>(scenario, options.threads);
   world->state.dimensions = world->model.dimensions;
   world->state.step = static_cast<std::uint64_t>(run.first_step);
-  if (all != nullptr) append_boids(scenario, world->model, *all, -1, world->state);
+  if (all != nullptr) {
+    world->settle_past();
+    append_boids(world->scenario, world->model, *all, -1, world->state);
+  }
   for (std::size_t i = 0; all == nullptr && i < scenario.flocks.size(); ++i) {
     const std::string& file = scenario.flocks[i].start.file;
     if (file.empty()) {
@@ -173,12 +216,12 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   if (!problems.empty()) return problems;
   wrap_positions(world->model, world->state);
   quarantine(world->model, world->state);
-  if (all != nullptr) world->do_past_settings();
   world->do_events();
   return Simulation(std::move(world));
 }
 
 void Simulation::step() {
+  const FloatSettings settings;
   World& world = *world_;
   world.do_events();  // after a restore, those of this very step
   sturnus::step(world.model, world.scenario, world.state, world.scratch, world.outside, world.workers);
@@ -191,6 +234,7 @@ void Simulation::run(std::uint64_t steps) {
 }
 
 Status Simulation::push(const Command& command) {
+  const FloatSettings settings;
   World& world = *world_;
   if (const auto error = check_command(world.scenario, command)) {
     return Problem{world.scenario.file, 0, "", *error, false};
@@ -198,6 +242,11 @@ Status Simulation::push(const Command& command) {
   const auto* move = std::get_if<MoveBoid>(&command);
   if (move != nullptr && !view().slot(move->id)) {
     return Problem{world.scenario.file, 0, "", say("there is no boid with id ", move->id), false};
+  }
+  const auto* add = std::get_if<AddBoids>(&command);
+  const double more = add == nullptr ? 0 : static_cast<double>(add->count);
+  if (const std::string text = too_many(static_cast<double>(world.state.size()) + more); !text.empty()) {
+    return Problem{world.scenario.file, 0, "", text, false};
   }
   world.record(command);
   world.carry_out(command);
@@ -234,25 +283,24 @@ Snapshot Simulation::snapshot() const {
 }
 
 void Simulation::restore(const Snapshot& snapshot) {
+  const FloatSettings settings;
   World& world = *world_;
   const Snapshot::Data& data = *snapshot.data_;
-  // What came later by hand is kept for replay as long as the past that it followed is the same.
-  std::vector<Logged> later(world.log.begin() + static_cast<std::ptrdiff_t>(std::min(data.done, world.log.size())),
-                            world.log.end());
-  std::erase_if(later, [&](const Logged& logged) { return logged.event.step < data.state.step; });
+  // What came after this moment is kept for replay where the world lived through it; where it lived through another
+  // past, the snapshot's own future holds.
+  if (!same_past(world.log, data.log, data.done)) world.log = data.log;
   world.scenario = data.scenario;
   world.model = compile(world.scenario);
   world.add_custom_terms();
   world.state = data.state;
   world.report = data.report;
-  world.log.assign(data.log.begin(), data.log.begin() + static_cast<std::ptrdiff_t>(data.done));
-  world.done = world.log.size();
-  world.log.insert(world.log.end(), later.begin(), later.end());
+  world.done = data.done;
   world.forget_last_step();
   world.outside.external = {};
 }
 
 void Simulation::add_rule(std::string name, std::int64_t priority, Rule rule) {
+  const FloatSettings settings;
   World& world = *world_;
   world.rules.emplace_back(std::move(name), priority);
   world.outside.rules.push_back(std::move(rule));

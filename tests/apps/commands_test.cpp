@@ -118,7 +118,7 @@ std::set<std::string> paths_in(const std::string& text) {
 
 TEST_F(Commands, KeysFindsByPartByWildcardAndByPath) {
   const auto found = [&](const std::string& pattern) { return paths_in(run_well({"keys", pattern}).out); };
-  EXPECT_TRUE(found("radius").contains("flock.NAME.body_radius"));
+  EXPECT_TRUE(found("radius").contains("flock.NAME.flee.radius"));
   EXPECT_EQ(found("COHESION.radius"), std::set<std::string>{"flock.NAME.cohesion.radius"});
   EXPECT_TRUE(found("flock.*.weight").contains("flock.NAME.flee.weight"));
   EXPECT_FALSE(found("flock.*.weight").contains("pointer.weight"));

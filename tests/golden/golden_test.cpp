@@ -42,7 +42,7 @@ void write_hashes(const Hashes& hashes) {
   file << "# State hashes of the shipped scenarios with at most " << most_boids
        << " boids: name, step, hash.\n";
   for (const ShippedScenario& shipped : shipped_scenarios()) {
-    for (const std::uint64_t mark : {1, 10, 100, 1000}) {
+    for (const int mark : {1, 10, 100, 1000}) {
       const std::string key = std::string(shipped.name) + " " + std::to_string(mark);
       if (const auto found = hashes.find(key); found != hashes.end())
         file << key << " " << found->second << "\n";

@@ -166,7 +166,7 @@ RC_GTEST_PROP(Relabelling, AnotherOrderOfStorageIsTheSameFlockToRounding, ()) {
   ScenarioDef scenario = flocking(dimensions);
   scenario.index.kind = *rc::gen::element(IndexKind::grid, IndexKind::tree, IndexKind::all_pairs);
   const State state = state_of(dimensions, random_boids(dimensions));
-  Simulation one = world_of(scenario, state), other = world_of(scenario, shuffled(state));
+  Simulation one = world_from(scenario, state), other = world_from(scenario, shuffled(state));
   RC_ASSERT(one.hash() == other.hash());
   one.step();
   other.step();
@@ -183,7 +183,7 @@ RC_GTEST_PROP(Relabelling, AnotherOrderOfStorageIsTheSameHashWhereNothingIsSumme
   flock.wander = Wander{};
   flock.noise = Noise{.acceleration = 0.1, .turn = 20};
   const State state = state_of(3, random_boids(3));
-  Simulation one = world_of(scenario, state), other = world_of(scenario, shuffled(state));
+  Simulation one = world_from(scenario, state), other = world_from(scenario, shuffled(state));
   one.run(5);
   other.run(5);
   RC_ASSERT(one.hash() == other.hash());
@@ -191,9 +191,9 @@ RC_GTEST_PROP(Relabelling, AnotherOrderOfStorageIsTheSameHashWhereNothingIsSumme
 
 RC_GTEST_PROP(Relabelling, OtherIdsAreTheSameFlockWithoutNoise, ()) {
   State state = state_of(2, random_boids(2));
-  Simulation one = world_of(flocking(2), state);
+  Simulation one = world_from(flocking(2), state);
   for (std::uint64_t& id : state.id) id = 5000 - 3 * id;
-  Simulation other = world_of(flocking(2), state);
+  Simulation other = world_from(flocking(2), state);
   one.run(3);
   other.run(3);
   for (std::size_t i = 0; i < state.size(); ++i) {

@@ -99,7 +99,7 @@ RC_GTEST_PROP(NeighbourIndex, FindsTheSameSetsInWrappedWorlds, ()) {
 // The real thing: the scenario's own indexes, on one step of every boundary and dimension.
 std::map<std::uint64_t, Point> velocities_with(ScenarioDef scenario, const State& state, const Index& index) {
   scenario.index = index;
-  Simulation simulation = world_of(scenario, state);
+  Simulation simulation = world_from(scenario, state);
   simulation.step();
   std::map<std::uint64_t, Point> out;
   for (std::size_t i = 0; i < simulation.view().size(); ++i) {

@@ -28,8 +28,8 @@ ScenarioDef blending() {
 }
 
 TEST(Colour, GoesPartOfTheWayToTheMeanOfTheCohesionRing) {
-  Simulation simulation = world_of(blending(), coloured({{{0, 0}}, {{1, 0}}, {{0, 1}}, {{50, 0}}},
-                                                        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}));
+  Simulation simulation = world_from(blending(), coloured({{{0, 0}}, {{1, 0}}, {{0, 1}}, {{50, 0}}},
+                                                          {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}));
   simulation.step();
   const Point c = colour_of(simulation, 0);  // (1, 0, 0) + half of ((0, 0.5, 0.5) - (1, 0, 0))
   EXPECT_NEAR(c[0], 0.5, 1e-6);
@@ -43,11 +43,11 @@ TEST(Colour, LooksAtItsOwnFlockOrAtAll) {
   scenario.flocks.push_back(scenario.flocks.front());
   scenario.flocks.back().name = "others";
   const State state = coloured({{{0, 0}}, {{1, 0}, {}, 1}}, {{0, 0, 0}, {1, 1, 1}});
-  Simulation own = world_of(scenario, state);
+  Simulation own = world_from(scenario, state);
   own.step();
   EXPECT_EQ(colour_of(own, 0), (Point{0, 0, 0}));
   scenario.flocks.front().colour.of = {Whose::Kind::all, {}};
-  Simulation all = world_of(scenario, state);
+  Simulation all = world_from(scenario, state);
   all.step();
   EXPECT_NEAR(colour_of(all, 0)[0], 0.5, 1e-6);
 }

@@ -57,7 +57,7 @@ TEST(Quarantine, ABadNumberInAnyArrayOfTheStartSpoilsNobodyElse) {
         for (const auto array : {&State::position, &State::velocity, &State::wander, &State::colour}) {
           State state = good;
           (state.*array)[1][17] = bad;
-          Simulation simulation = world_of(scenario, state);
+          Simulation simulation = world_from(scenario, state);
           simulation.run(3);
           SCOPED_TRACE(bad);
           expect_all_well_but(simulation, {17});
@@ -74,7 +74,7 @@ TEST(Quarantine, DenormalsAreNumbersLikeOthers) {
     state.position[axis][3] = state.velocity[axis][3] = state.velocity[axis][4] = denormal;
     state.position[axis][5] = -denormal;
   }
-  Simulation simulation = world_of(scenario, state);
+  Simulation simulation = world_from(scenario, state);
   simulation.run(5);
   expect_all_well_but(simulation, {});
 }

@@ -126,7 +126,7 @@ TEST(Spawn, TablesKeepTheirIdsAndGetWhatTheyLack) {
   scenario.flocks.front().colour.start = "#ff8000";
   State table = state_of(2, {{{1, 2}}, {{3, 4}}});
   table.id = {40, 7};
-  const Simulation simulation = world_of(scenario, table);
+  const Simulation simulation = world_from(scenario, table);
   const State& state = simulation.view().state();
   EXPECT_EQ(state.id, (std::vector<std::uint64_t>{40, 7}));
   EXPECT_EQ(state.next_id, 41u);
