@@ -23,9 +23,9 @@ struct Logged {
 
 constexpr const char* external_name = "external";
 
-// Whether the first `count` events of two logs are the same.
-bool same_past(const std::vector<Logged>& one, const std::vector<Logged>& other, std::size_t count) {
-  if (one.size() < count) return false;
+// Whether what happened in one log before a step is just the first `count` events of another.
+bool same_past(const std::vector<Logged>& one, const std::vector<Logged>& other, std::size_t count, std::uint64_t step) {
+  if (one.size() < count || (one.size() > count && one[count].event.step < step)) return false;
   for (std::size_t i = 0; i < count; ++i) {
     if (to_text(to_value(one[i].event)) != to_text(to_value(other[i].event))) return false;
   }
@@ -164,7 +164,7 @@ const State* table_of(const SimulationOptions& options, const ScenarioDef& scena
 std::string too_many(double boids) {
   if (bytes_needed(boids) <= 0.9 * bytes_available()) return {};
   const auto gigabytes = [](double bytes) { return static_cast<std::int64_t>(bytes / 1e9 + 0.5); };
-  return say(boids, " boids need about ", gigabytes(bytes_needed(boids)), " GB of memory, but this machine has ",
+  return say(static_cast<std::int64_t>(boids), " boids need about ", gigabytes(bytes_needed(boids)), " GB of memory, but this machine has ",
              gigabytes(bytes_available()), " GB");
 }
 
@@ -288,7 +288,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   const Snapshot::Data& data = *snapshot.data_;
   // What came after this moment is kept for replay where the world lived through it; where it lived through another
   // past, the snapshot's own future holds.
-  if (!same_past(world.log, data.log, data.done)) world.log = data.log;
+  if (!same_past(world.log, data.log, data.done, data.state.step)) world.log = data.log;
   world.scenario = data.scenario;
   world.model = compile(world.scenario);
   world.add_custom_terms();

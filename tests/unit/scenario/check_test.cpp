@@ -174,12 +174,12 @@ TEST(Check, EventsAgainstTheScenarioAsItThenStands) {
       [](ScenarioDef& s) {
         s.run.events = {{5, AddBoids{"birds", 1, {0, 0}, 0}}};
       },
-      "run.events", "event 1 (step 5)");
+      "run.events.0", "the event of step 5: there is no flock");
   expect_error(
       [](ScenarioDef& s) {
         s.run.events = {{5, SetParameter{"flock.boids.min_speed", "9"}}};
       },
-      "run.events", "max_speed");
+      "run.events.0", "max_speed");
   ScenarioDef scenario;
   scenario.run.events = {{5, SetParameter{"flock.boids.max_speed", "20"}},
                          {6, SetParameter{"flock.boids.min_speed", "9"}}};
