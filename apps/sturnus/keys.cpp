@@ -136,7 +136,8 @@ std::string markdown(const std::vector<ParameterRow>& rows) {
       "events a key is\n"
       "its path, `--set flock.birds.separation.radius=30`, with the flock's name in place of `NAME`. Where a "
       "default is\n"
-      "empty, the key is not given by default. `events` in `[run]` is described in model.md, \"Commands and events\".\n";
+      "empty, the key is not given by default. `events` in `[run]` is described in model.md, \"Commands and "
+      "events\".\n";
   std::vector<std::string> tables;
   for (const ParameterRow& row : rows) {
     const std::string table = table_of(row.path);

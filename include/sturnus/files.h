@@ -12,20 +12,20 @@
 
 namespace sturnus {
 
-/// Reads a scenario: a shipped name such as "ucsd", or a path. Warnings go to `problems` when given; otherwise the
-/// result carries every problem with file, line and key.
+/// Reads a scenario: a shipped name such as "ucsd", or a path. Warnings go to `problems` when given;
+/// otherwise the result carries every problem with file, line and key.
 Result<ScenarioDef> load_scenario(const std::string& name_or_path, Problems* problems = nullptr);
 
 /// Reads the state CSVs that a scenario names (relative to the scenario's folder) and creates the simulation.
 Result<Simulation> open_simulation(const ScenarioDef& scenario, int threads = 0);
 
-/// State CSV: header id,flock,x,y,vx,vy or id,flock,x,y,z,vx,vy,vz, one boid a line in storage order, numbers that
-/// read back to the same bits; `flock` counts from 0. Scenarios that wander or drift colours add the columns
-/// wander_x,wander_y(,wander_z) and red,green,blue; boids in quarantine add the
-/// column quarantined, and where the newest boids are gone next_id keeps their ids from being used again.
+/// State CSV: header id,flock,x,y,vx,vy or id,flock,x,y,z,vx,vy,vz, one boid a line in storage order, numbers
+/// that read back to the same bits; `flock` counts from 0. Scenarios that wander or drift colours add the
+/// columns wander_x,wander_y(,wander_z) and red,green,blue; boids in quarantine add the column quarantined,
+/// and where the newest boids are gone next_id keeps their ids from being used again.
 std::string state_csv(const State& state);
-/// The state, or what is wrong with the text, by file and line. Columns may come in any order; velocity columns and
-/// `flock` may be absent (0), id too (line order).
+/// The state, or what is wrong with the text, by file and line. Columns may come in any order; velocity
+/// columns and `flock` may be absent (0), id too (line order).
 Result<State> parse_state_csv(std::string_view text, const std::string& file);
 Result<State> read_state_csv(const std::string& path);
 
@@ -35,8 +35,9 @@ Result<std::string> read_text(const std::string& path);
 Status write_text(const std::string& path, std::string_view text);
 /// Creates a folder and those above it.
 Status make_folder(const std::string& path);
-/// What stands in the way of writing this file, found before any work is done: pictures (.png, .ppm), videos (.mp4,
-/// .gif: also whether ffmpeg is there), frame patterns (frames/%05d.png), or anything else as plain file.
+/// What stands in the way of writing this file, found before any work is done: pictures (.png, .ppm), videos
+/// (.mp4, .gif: also whether ffmpeg is there), frame patterns (frames/%05d.png), or anything else as plain
+/// file.
 Status check_output(const std::string& path);
 
 /// Whether a name means a video or a pattern of frames rather than one picture.

@@ -1,4 +1,5 @@
-// What there is to measure in a flock: order, shape, spacing. All in double, over boids in order of their ids.
+// What there is to measure in a flock: order, shape, spacing. All in double, over boids in order of their
+// ids.
 #pragma once
 
 #include <sturnus/view.h>
@@ -11,19 +12,19 @@ namespace sturnus {
 /// Measures of one moment. A value that has no meaning there (no moving boid, no earlier step) is NaN.
 struct Measures {
   std::uint64_t step = 0;
-  std::size_t boids = 0;          ///< not counting those in quarantine
-  double polarisation = 0;        ///< |mean heading| over moving boids, 0 to 1 (Vicsek 1995)
-  double milling = 0;             ///< |mean unit(p - c) x heading| about the centre of mass c, 0 to 1 (Couzin 2002)
-  double speed = 0;               ///< mean |v|, length per time
-  double turning = 0;             ///< mean angle between successive headings, degrees in one step
-  double nearest_distance = 0;    ///< mean distance to the nearest other boid, length
-  double neighbours = 0;          ///< mean number of others within `link` and the field of view
-  std::size_t clusters = 0;       ///< components connected by distances up to `link`, single boids too
-  double largest_cluster = 0;     ///< share of all boids in the largest cluster, 0 to 1
+  std::size_t boids = 0;    ///< not counting those in quarantine
+  double polarisation = 0;  ///< |mean heading| over moving boids, 0 to 1 (Vicsek 1995)
+  double milling = 0;       ///< |mean unit(p - c) x heading| about the centre of mass c, 0 to 1 (Couzin 2002)
+  double speed = 0;         ///< mean |v|, length per time
+  double turning = 0;       ///< mean angle between successive headings, degrees in one step
+  double nearest_distance = 0;  ///< mean distance to the nearest other boid, length
+  double neighbours = 0;        ///< mean number of others within `link` and the field of view
+  std::size_t clusters = 0;     ///< components connected by distances up to `link`, single boids too
+  double largest_cluster = 0;   ///< share of all boids in the largest cluster, 0 to 1
 };
 
-/// Measures a flock as it stands. `link` (length): 0 takes the scenario's run.measure.link, and where that is 0 too
-/// the largest finite radius of any term.
+/// Measures a flock as it stands. `link` (length): 0 takes the scenario's run.measure.link, and where that is
+/// 0 too the largest finite radius of any term.
 Measures measure(const View& view, double link = 0);
 
 /// |mean heading| over moving boids; NaN when none moves (Vicsek 1995).

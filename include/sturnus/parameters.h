@@ -14,7 +14,8 @@ struct Value {
   std::variant<bool, double, std::string, List> held;
 };
 
-/// One value from text: 12, inf, true, "wrap", wrap, [0, 12], [hawks]. Text that is none of these is a string.
+/// One value from text: 12, inf, true, "wrap", wrap, [0, 12], [hawks]. Text that is none of these is a
+/// string.
 Value parse_value(std::string_view text);
 /// The same value as TOML text.
 std::string to_text(const Value& value);
@@ -56,8 +57,8 @@ struct CoordinatesRef {
 };
 
 /// A place where a parameter is kept.
-using FieldRef = std::variant<double*, std::int64_t*, bool*, std::string*, std::optional<double>*, CoordinatesRef,
-                              Range, RingRef, Whose*, std::vector<std::string>*, Choice>;
+using FieldRef = std::variant<double*, std::int64_t*, bool*, std::string*, std::optional<double>*,
+                              CoordinatesRef, Range, RingRef, Whose*, std::vector<std::string>*, Choice>;
 
 class FieldVisitor;
 
@@ -78,8 +79,8 @@ class FieldVisitor {
   virtual ~FieldVisitor() = default;
   virtual void field(std::string_view key, FieldRef value, const About& about) = 0;
   /// A table that is always there. `short_key`: a plain value in its place means this key of it.
-  virtual void table(std::string_view key, const About& about, const std::function<void(FieldVisitor&)>& visit,
-                     std::string_view short_key = {}) = 0;
+  virtual void table(std::string_view key, const About& about,
+                     const std::function<void(FieldVisitor&)>& visit, std::string_view short_key = {}) = 0;
   virtual void items(std::string_view key, const About& about, const Items& items) = 0;
 };
 

@@ -39,7 +39,8 @@ class Renderer {
 };
 
 /// The course of all measures, one panel each. Rows in order of their steps; none makes an empty plot.
-Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme, int width = 1280);
+Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme,
+                    int width = 1280);
 
 /// Pictures from left to right and top to bottom, `columns` in a row, each with a caption.
 Image picture_sheet(const std::vector<Image>& pictures, const std::vector<std::string>& captions, int columns,

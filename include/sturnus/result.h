@@ -10,11 +10,11 @@ namespace sturnus {
 
 /// What a person has to be told: where, and in one sentence what is wrong.
 struct Problem {
-  std::string file;          ///< path or scenario name; empty when there is no file
-  int line = 0;              ///< 1-based; 0 when there is no line
-  std::string key;           ///< dotted parameter path; empty when there is none
-  std::string text;          ///< the sentence
-  bool is_warning = false;   ///< warnings never stop a run
+  std::string file;         ///< path or scenario name; empty when there is no file
+  int line = 0;             ///< 1-based; 0 when there is no line
+  std::string key;          ///< dotted parameter path; empty when there is none
+  std::string text;         ///< the sentence
+  bool is_warning = false;  ///< warnings never stop a run
 
   /// "fish.toml:12: flock.fish.max_speed: 4 is below min_speed 5"
   std::string sentence() const {
@@ -47,7 +47,7 @@ inline bool has_errors(const Problems& problems) {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : value_(std::move(value)) {}  // NOLINT: a value is a result
+  Result(T value) : value_(std::move(value)) {}                  // NOLINT: a value is a result
   Result(Problems problems) : problems_(std::move(problems)) {}  // NOLINT
   Result(Problem problem) : problems_{std::move(problem)} {}     // NOLINT
 

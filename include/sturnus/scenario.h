@@ -21,10 +21,10 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A point or vector of two or three components, as many as `space.dimensions`; empty means "not given".
 using Coordinates = std::vector<double>;
 
-enum class Edge { open, closed };                 ///< is a neighbour exactly on the outer radius one? open: no
-enum class Strength { grows, constant, fades };   ///< one neighbour's pull over distance d: "d", "1", "1/d"
-enum class Combine { sum, mean };                 ///< of the neighbours' contributions
-enum class Match { velocity, heading };           ///< what alignment averages
+enum class Edge { open, closed };                ///< is a neighbour exactly on the outer radius one? open: no
+enum class Strength { grows, constant, fades };  ///< one neighbour's pull over distance d: "d", "1", "1/d"
+enum class Combine { sum, mean };                ///< of the neighbours' contributions
+enum class Match { velocity, heading };          ///< what alignment averages
 enum class Arbitration { weighted, budget, first };
 enum class SteeringForm { heading, seek, linear };
 enum class BoundaryKind { open, wrap, turn, bounce };
@@ -46,17 +46,17 @@ struct Whose {
 /// Steer away from neighbours: combine over them of -(o/d) s(d), o the offset to the neighbour, d = |o|.
 struct Separation {
   double weight = 1.0;
-  double radius = 8.0;   ///< length; neighbours farther than this do not count, 0 means nobody
-  double inner = 0.0;    ///< length; nor do those nearer than this
+  double radius = 8.0;  ///< length; neighbours farther than this do not count, 0 means nobody
+  double inner = 0.0;   ///< length; nor do those nearer than this
   Edge edge = Edge::open;
   Strength strength = Strength::fades;
   Combine combine = Combine::sum;
   Whose of = {Whose::Kind::all, {}};
   std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
-  double sample = 1.0;                  ///< share of the neighbours that are looked at, by chance, 0 to 1
-  std::int64_t priority = 0;            ///< lower comes first under arbitration "budget" and "first"
-  bool on = true;                       ///< a switch that keeps the weight
-  int order = 0;                        ///< place in the file, which breaks ties of priority
+  double sample = 1.0;        ///< share of the neighbours that are looked at, by chance, 0 to 1
+  std::int64_t priority = 0;  ///< lower comes first under arbitration "budget" and "first"
+  bool on = true;             ///< a switch that keeps the weight
+  int order = 0;              ///< place in the file, which breaks ties of priority
 };
 
 /// Steer toward the average velocity or heading of the neighbours.
@@ -70,7 +70,7 @@ struct Alignment {
   bool count_self = false;  ///< the boid is part of its own average
   Whose of = {};
   std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
-  double sample = 1.0;                  ///< share, 0 to 1
+  double sample = 1.0;                       ///< share, 0 to 1
   std::int64_t priority = 0;
   bool on = true;
   int order = 0;
@@ -87,7 +87,7 @@ struct Cohesion {
   bool count_self = false;  ///< divide by n + 1 instead of n
   Whose of = {};
   std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
-  double sample = 1.0;                  ///< share, 0 to 1
+  double sample = 1.0;                       ///< share, 0 to 1
   std::int64_t priority = 0;
   bool on = true;
   int order = 0;
@@ -97,7 +97,7 @@ struct Cohesion {
 /// minus own velocity; linear: mean of -o.
 struct Flee {
   std::vector<std::string> from = {};  ///< names of the flocks to flee from
-  double radius = 45.0;           ///< length; how far they are seen
+  double radius = 45.0;                ///< length; how far they are seen
   double weight = 0.5;
   SteeringForm form = SteeringForm::heading;
   std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
@@ -127,7 +127,7 @@ struct Wander {
 /// Random steering: an acceleration inside the weighted sum, and a turn after the velocity update.
 struct Noise {
   double acceleration = 0.0;  ///< length per time squared; each component uniform in [-this, this]
-  double turn = 0.0;          ///< degrees; the heading turns by a uniform angle in [-turn/2, turn/2] each step
+  double turn = 0.0;  ///< degrees; the heading turns by a uniform angle in [-turn/2, turn/2] each step
   std::int64_t priority = 0;  ///< of the acceleration
   bool on = true;
   int order = 0;
@@ -136,15 +136,15 @@ struct Noise {
 /// Where boids begin, and how fast.
 struct Start {
   StartRegion region = StartRegion::space;
-  Coordinates min;                  ///< box: its lower corner, length
-  Coordinates max;                  ///< box: its upper corner, length
-  Coordinates centre;               ///< ball and ring: length; not given: the middle of the space
-  double radius = 1.0;              ///< ball and ring: outer radius, length
-  double inner = 0.0;               ///< ring: inner radius, length
-  double min_speed = 1.5;           ///< length per time; speeds are uniform between the two
-  double max_speed = 3.0;           ///< length per time
-  Coordinates heading;              ///< direction of all; not given: every boid its own, at random
-  std::string file;                 ///< state CSV to take this flock's boids from instead, relative to the scenario
+  Coordinates min;         ///< box: its lower corner, length
+  Coordinates max;         ///< box: its upper corner, length
+  Coordinates centre;      ///< ball and ring: length; not given: the middle of the space
+  double radius = 1.0;     ///< ball and ring: outer radius, length
+  double inner = 0.0;      ///< ring: inner radius, length
+  double min_speed = 1.5;  ///< length per time; speeds are uniform between the two
+  double max_speed = 3.0;  ///< length per time
+  Coordinates heading;     ///< direction of all; not given: every boid its own, at random
+  std::string file;        ///< state CSV to take this flock's boids from instead, relative to the scenario
 };
 
 /// Three colour values that drift toward the neighbours' (ring: the first cohesion term's).
@@ -160,10 +160,10 @@ struct FlockDef {
   std::string name = "boids";
   std::int64_t count = 300;
   Start start;
-  double min_speed = 1.5;            ///< length per time; a boid at rest stays at rest
-  double max_speed = 3.0;            ///< length per time
-  double max_acceleration = 0.25;    ///< length per time squared; the cap on the sum of all terms
-  double field_of_view = 360.0;      ///< full angle in degrees; 360 sees all round
+  double min_speed = 1.5;          ///< length per time; a boid at rest stays at rest
+  double max_speed = 3.0;          ///< length per time
+  double max_acceleration = 0.25;  ///< length per time squared; the cap on the sum of all terms
+  double field_of_view = 360.0;    ///< full angle in degrees; 360 sees all round
   Arbitration arbitration = Arbitration::weighted;
   std::vector<Separation> separation = {Separation{}};
   std::vector<Alignment> alignment = {Alignment{}};
@@ -173,23 +173,23 @@ struct FlockDef {
   std::optional<Wander> wander;
   std::optional<Noise> noise;
   Colour colour;
-  std::optional<GlyphStyle> glyph;   ///< how a boid is drawn; not given: dart in 2D, cone in 3D
-  double size = 5.0;            ///< length of a drawn boid
+  std::optional<GlyphStyle> glyph;  ///< how a boid is drawn; not given: dart in 2D, cone in 3D
+  double size = 5.0;                ///< length of a drawn boid
 };
 
 /// What happens at the edge of the space.
 struct Boundary {
   BoundaryKind kind = BoundaryKind::wrap;
-  Coordinates margin;      ///< turn: length, one for each axis or one for all; not given: 0
-  double strength = 0.0;   ///< turn: length per time squared, added for each margin a boid is in
+  Coordinates margin;     ///< turn: length, one for each axis or one for all; not given: 0
+  double strength = 0.0;  ///< turn: length per time squared, added for each margin a boid is in
 };
 
 struct Space {
   std::int64_t dimensions = 2;  ///< 2 or 3
   Coordinates min;              ///< length; lower corner
   Coordinates max;              ///< length; upper corner
-  /// Area or volume for each boid where no corners are given: the space is a square or cube about the origin that
-  /// grows with the count. Not given: a square or cube of side `usual_spacing` for each boid.
+  /// Area or volume for each boid where no corners are given: the space is a square or cube about the origin
+  /// that grows with the count. Not given: a square or cube of side `usual_spacing` for each boid.
   std::optional<double> per_boid;
   static constexpr double usual_spacing = 10.0;  ///< length
   Boundary boundary;
@@ -256,13 +256,13 @@ struct Event {
 };
 
 struct Run {
-  std::int64_t steps = 1000;         ///< how long the run is when nobody says
-  std::int64_t measure_every = 10;   ///< steps between two lines of measures
-  double link = 0.0;                 ///< length; neighbours this near are one cluster; 0: the largest finite radius
-  std::string initial;               ///< state CSV with all boids, instead of every flock's start
-  std::int64_t first_step = 0;       ///< number of the step that the start state stands at
-  bool resumed = false;              ///< `initial` was saved at first_step with that step's events done
-  std::vector<Event> events;         ///< in order of their steps
+  std::int64_t steps = 1000;        ///< how long the run is when nobody says
+  std::int64_t measure_every = 10;  ///< steps between two lines of measures
+  double link = 0.0;    ///< length; neighbours this near are one cluster; 0: the largest finite radius
+  std::string initial;  ///< state CSV with all boids, instead of every flock's start
+  std::int64_t first_step = 0;  ///< number of the step that the start state stands at
+  bool resumed = false;         ///< `initial` was saved at first_step with that step's events done
+  std::vector<Event> events;    ///< in order of their steps
 };
 
 struct CameraDef {
@@ -277,8 +277,8 @@ struct CameraDef {
 
 /// A whole run. `title`, `about`, `try_this` and `source` are for people.
 struct ScenarioDef {
-  std::string name;   ///< file name without ending; not a key of the file
-  std::string file;   ///< where it was read, for messages and relative paths; not a key of the file
+  std::string name;  ///< file name without ending; not a key of the file
+  std::string file;  ///< where it was read, for messages and relative paths; not a key of the file
   std::int64_t format = 1;
   std::string title;
   std::string about;
@@ -319,9 +319,10 @@ struct ShippedScenario {
 /// All shipped scenarios in order of group and name.
 const std::vector<ShippedScenario>& shipped_scenarios();
 
-/// Reads TOML text; `file` is used in messages. The result has passed `check`. Warnings and problems found are
-/// appended to `problems` when given.
-Result<ScenarioDef> parse_scenario(const std::string& text, const std::string& file, Problems* problems = nullptr);
+/// Reads TOML text; `file` is used in messages. The result has passed `check`. Warnings and problems found
+/// are appended to `problems` when given.
+Result<ScenarioDef> parse_scenario(const std::string& text, const std::string& file,
+                                   Problems* problems = nullptr);
 
 /// The effective scenario with all defaults, as TOML that loads again to the same definition.
 std::string to_toml(const ScenarioDef& scenario);

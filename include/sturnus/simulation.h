@@ -1,7 +1,8 @@
 // A running flock: create it from a scenario, step it, look at it, act on it.
 //
-// A simulation knows no window, no file and no clock. Everything that is done to it goes through commands that
-// are logged with their step, so a session played by hand is a scenario with events and replays bit for bit.
+// A simulation knows no window, no file and no clock. Everything that is done to it goes through commands
+// that are logged with their step, so a session played by hand is a scenario with events and replays bit for
+// bit.
 #pragma once
 
 #include <sturnus/result.h>
@@ -53,14 +54,15 @@ class Snapshot {
 
 /// What a run met besides flocking.
 struct StepReport {
-  std::size_t quarantined = 0;         ///< boids out of play because of a bad number
-  std::size_t commands_in_vain = 0;    ///< events that named a boid that is not there
+  std::size_t quarantined = 0;       ///< boids out of play because of a bad number
+  std::size_t commands_in_vain = 0;  ///< events that named a boid that is not there
 };
 
 class Simulation {
  public:
-  /// A world at its first step, or every reason why there is none: what `check` finds, a table that is missing,
-  /// more boids than the memory holds. The world stands at `run.first_step` with that step's events done.
+  /// A world at its first step, or every reason why there is none: what `check` finds, a table that is
+  /// missing, more boids than the memory holds. The world stands at `run.first_step` with that step's events
+  /// done.
   static Result<Simulation> create(const ScenarioDef& scenario, const SimulationOptions& options = {});
 
   ~Simulation();
@@ -89,15 +91,15 @@ class Simulation {
   ScenarioDef recording() const;
 
   Snapshot snapshot() const;
-  /// Back to that moment. Later events are done again when their step comes, until the next `push`: acting after
-  /// a rewind begins a new branch.
+  /// Back to that moment. Later events are done again when their step comes, until the next `push`: acting
+  /// after a rewind begins a new branch.
   void restore(const Snapshot& snapshot);
 
   /// Adds a rule of one's own, with a weight of 1 and a place in the order of terms. Kept over `restore`; not
   /// part of the scenario.
   void add_rule(std::string name, std::int64_t priority, Rule rule);
-  /// Accelerations from outside, felt in the next step only, by slot of the present view; forgotten when a command
-  /// adds or erases boids before that.
+  /// Accelerations from outside, felt in the next step only, by slot of the present view; forgotten when a
+  /// command adds or erases boids before that.
   Accelerations external();
 
   /// The places of the neighbour index's cells or leaves, for pictures: min and max corner of each.

@@ -1,8 +1,8 @@
 // What a run has at one moment, and how observers look at it.
 //
 // Boids stand in storage order, which CHANGES FROM STEP TO STEP: the neighbour index sorts them by place.
-// A boid's name is its id. Use `View::slot(id)` to find one boid again and `View::slots_by_id()` to go through
-// all of them in an order that stays.
+// A boid's name is its id. Use `View::slot(id)` to find one boid again and `View::slots_by_id()` to go
+// through all of them in an order that stays.
 #pragma once
 
 #include <sturnus/scenario.h>
@@ -28,15 +28,15 @@ struct PointerState {
 /// scenario it is all there is to know. Every array has one entry for each boid, or none where it is unused.
 struct State {
   int dimensions = 2;
-  std::uint64_t step = 0;               ///< steps done
-  std::uint64_t next_id = 0;            ///< ids are never used twice
+  std::uint64_t step = 0;     ///< steps done
+  std::uint64_t next_id = 0;  ///< ids are never used twice
   std::vector<std::uint64_t> id;
-  std::vector<std::uint8_t> flock;      ///< index in file order, from 0
+  std::vector<std::uint8_t> flock;        ///< index in file order, from 0
   std::vector<std::uint8_t> quarantined;  ///< 1: a bad number was met; neither moves nor is seen
-  Columns position;                     ///< length
-  Columns velocity;                     ///< length per time
-  Columns wander;                       ///< unit vectors; empty where no flock wanders
-  Columns colour;                       ///< red, green, blue, 0 to 1; empty where colours don't drift
+  Columns position;                       ///< length
+  Columns velocity;                       ///< length per time
+  Columns wander;                         ///< unit vectors; empty where no flock wanders
+  Columns colour;                         ///< red, green, blue, 0 to 1; empty where colours don't drift
   PointerState pointer;
 
   std::size_t size() const { return id.size(); }
@@ -48,7 +48,10 @@ class View {
   /// `previous_*`: position and velocity before the last step, in the same order; empty before the first.
   View(const State& state, const ScenarioDef& scenario, const Columns& previous_position,
        const Columns& previous_velocity)
-      : state_(&state), scenario_(&scenario), previous_position_(&previous_position), previous_velocity_(&previous_velocity) {}
+      : state_(&state),
+        scenario_(&scenario),
+        previous_position_(&previous_position),
+        previous_velocity_(&previous_velocity) {}
 
   std::size_t size() const { return state_->size(); }
   int dimensions() const { return state_->dimensions; }
@@ -63,8 +66,8 @@ class View {
   std::array<float, 3> position(std::size_t slot) const { return at(state_->position, slot); }
   std::array<float, 3> velocity(std::size_t slot) const { return at(state_->velocity, slot); }
 
-  /// Whether the last step is known: not before the first step, nor after a restore or a command that adds, erases or
-  /// moves boids.
+  /// Whether the last step is known: not before the first step, nor after a restore or a command that adds,
+  /// erases or moves boids.
   bool has_previous() const { return size() > 0 && (*previous_position_)[0].size() == size(); }
   std::array<float, 3> previous_position(std::size_t slot) const { return at(*previous_position_, slot); }
   std::array<float, 3> previous_velocity(std::size_t slot) const { return at(*previous_velocity_, slot); }

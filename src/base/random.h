@@ -27,9 +27,10 @@ class Draws {
  public:
   Draws(std::uint64_t seed, std::uint64_t step, std::uint64_t id, Stream stream)
       : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{static_cast<std::uint32_t>(step),
-                  static_cast<std::uint32_t>((step >> 32) << 16) | static_cast<std::uint32_t>((id >> 32) & 0xffff),
-                  static_cast<std::uint32_t>(id), static_cast<std::uint32_t>(stream) << 24}} {}
+        counter_{
+            {static_cast<std::uint32_t>(step),
+             static_cast<std::uint32_t>((step >> 32) << 16) | static_cast<std::uint32_t>((id >> 32) & 0xffff),
+             static_cast<std::uint32_t>(id), static_cast<std::uint32_t>(stream) << 24}} {}
 
   /// 32 random bits.
   std::uint32_t bits() {

@@ -5,7 +5,9 @@
 
 namespace sturnus {
 
-inline double square_root(double x) { return std::sqrt(x); }
+inline double square_root(double x) {
+  return std::sqrt(x);
+}
 
 /// Cube root by Newton's method from a start found by halving; for x >= 0, to a few units in the last place.
 inline double cube_root(double x) {
@@ -19,8 +21,8 @@ inline double cube_root(double x) {
   return root / scale;
 }
 
-/// Cosine and sine of an angle in radians, |angle| <= 2 pi or so: the angle is halved thrice, taken by series,
-/// and doubled back. Errors below 1e-14.
+/// Cosine and sine of an angle in radians, |angle| <= 2 pi or so: the angle is halved thrice, taken by
+/// series, and doubled back. Errors below 1e-14.
 struct CosSin {
   double cos, sin;
 };
@@ -43,6 +45,8 @@ inline CosSin cos_sin(double angle) {
 }
 
 inline constexpr double pi = 3.14159265358979323846;
-inline double cosine_of_degrees(double degrees) { return cos_sin(degrees * (pi / 180)).cos; }
+inline double cosine_of_degrees(double degrees) {
+  return cos_sin(degrees * (pi / 180)).cos;
+}
 
 }  // namespace sturnus

@@ -15,7 +15,9 @@
 namespace sturnus {
 namespace {
 
-int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int cores() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 }  // namespace
 
@@ -28,7 +30,8 @@ struct Workers::Team {
 #endif
   {
 #ifdef STURNUS_TBB
-    // One limit for all teams, since the lowest of several counts; threads are only started where a team asks.
+    // One limit for all teams, since the lowest of several counts; threads are only started where a team
+    // asks.
     static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                              static_cast<std::size_t>(std::max(256, cores())));
 #endif
@@ -44,7 +47,9 @@ Workers::~Workers() = default;
 Workers::Workers(Workers&&) noexcept = default;
 Workers& Workers::operator=(Workers&&) noexcept = default;
 
-int Workers::count() const { return team_->count; }
+int Workers::count() const {
+  return team_->count;
+}
 
 void Workers::for_ranges(std::size_t n,
                          const std::function<void(std::size_t, std::size_t, int)>& body) const {
@@ -55,9 +60,8 @@ void Workers::for_ranges(std::size_t n,
   };
 #ifdef STURNUS_TBB
   if (parts > 1) {
-    team_->arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, parts, run_part, tbb::static_partitioner());
-    });
+    team_->arena.execute(
+        [&] { tbb::parallel_for(std::size_t{0}, parts, run_part, tbb::static_partitioner()); });
     return;
   }
 #endif

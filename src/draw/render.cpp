@@ -17,7 +17,8 @@ SceneColours scene_colours(const Theme& theme) {
 
 Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {
   Vec<3> out = otherwise;
-  for (std::size_t axis = 0; axis < at.size(); ++axis) out[static_cast<int>(axis)] = static_cast<float>(at[axis]);
+  for (std::size_t axis = 0; axis < at.size(); ++axis)
+    out[static_cast<int>(axis)] = static_cast<float>(at[axis]);
   return out;
 }
 
@@ -66,13 +67,14 @@ Image Renderer::frame(const Simulation& simulation) {
   if (options.index) scene.index_boxes = simulation.index_boxes();
   if (options.trails) parts_->trails.add_to(view, scene_colours(colours), parts_->list);
   make_scene(view, scene_colours(colours), scene, parts_->list);
-  return draw(parts_->list, viewpoint_of(view, options.picture.size), colours, options.picture.size, parts_->workers,
-              options.picture.supersampling);
+  return draw(parts_->list, viewpoint_of(view, options.picture.size), colours, options.picture.size,
+              parts_->workers, options.picture.supersampling);
 }
 
 namespace {
 
-// Polarisation and milling share a panel: a flock trades one for the other. A population that never changes has none.
+// Polarisation and milling share a panel: a flock trades one for the other. A population that never changes
+// has none.
 void add_panel(const MeasureColumn& column, const std::vector<Measures>& rows, Plot& plot) {
   PlotLine line{column.title, {}};
   for (const Measures& row : rows) line.values.push_back(column.value(row));
@@ -89,7 +91,8 @@ void add_panel(const MeasureColumn& column, const std::vector<Measures>& rows, P
 
 }  // namespace
 
-Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme_name, int width) {
+Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme_name,
+                    int width) {
   Plot plot;
   plot.title = title;
   for (const Measures& row : rows) plot.x.push_back(static_cast<double>(row.step));

@@ -20,7 +20,9 @@ Movie::~Movie() = default;
 Movie::Movie(Movie&&) noexcept = default;
 Movie& Movie::operator=(Movie&&) noexcept = default;
 
-bool is_movie_name(const std::string& path) { return is_frame_pattern(path) || is_video_name(path); }
+bool is_movie_name(const std::string& path) {
+  return is_frame_pattern(path) || is_video_name(path);
+}
 
 Status check_output(const std::string& path) {
   if (is_frame_pattern(path)) {
@@ -31,7 +33,9 @@ Status check_output(const std::string& path) {
   return is_stream(path) ? Status() : check_writable(path);
 }
 
-Status save_picture(const std::string& path, const Image& image) { return write_picture(path, image); }
+Status save_picture(const std::string& path, const Image& image) {
+  return write_picture(path, image);
+}
 
 Result<Movie> Movie::open(const std::string& path, Size size, double frames_per_second) {
   auto writers = std::make_unique<Writers>();
@@ -47,8 +51,12 @@ Result<Movie> Movie::open(const std::string& path, Size size, double frames_per_
   return Movie(std::move(writers));
 }
 
-Status Movie::add(const Image& frame) { return writers_->video ? writers_->video->add(frame) : writers_->frames->add(frame); }
+Status Movie::add(const Image& frame) {
+  return writers_->video ? writers_->video->add(frame) : writers_->frames->add(frame);
+}
 
-Status Movie::finish() { return writers_->video ? writers_->video->finish() : Status(); }
+Status Movie::finish() {
+  return writers_->video ? writers_->video->finish() : Status();
+}
 
 }  // namespace sturnus

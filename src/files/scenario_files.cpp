@@ -3,10 +3,10 @@
 
 #include <sturnus/parameters.h>
 
+#include <sys/stat.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <sys/stat.h>
 
 #include "base/text.h"
 #include "files/atomic_file.h"
@@ -14,7 +14,9 @@
 namespace sturnus {
 namespace {
 
-bool looks_like_path(const std::string& text) { return text.find('/') != std::string::npos || text.ends_with(".toml"); }
+bool looks_like_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(".toml");
+}
 
 bool is_file(const std::string& path) {
   struct stat info {};
@@ -68,9 +70,13 @@ Result<std::string> read_text(const std::string& path) {
   return text;
 }
 
-Status write_text(const std::string& path, std::string_view text) { return write_file(path, text); }
+Status write_text(const std::string& path, std::string_view text) {
+  return write_file(path, text);
+}
 
-Status make_folder(const std::string& path) { return make_folders(path); }
+Status make_folder(const std::string& path) {
+  return make_folders(path);
+}
 
 Result<ScenarioDef> load_scenario(const std::string& name_or_path, Problems* problems) {
   for (const ShippedScenario& shipped : shipped_scenarios()) {
@@ -87,7 +93,8 @@ Result<Simulation> open_simulation(const ScenarioDef& scenario, int threads) {
   options.threads = threads;
   Status status = read_table(scenario, scenario.run.initial, options.tables);
   for (const FlockDef& flock : scenario.flocks) {
-    if (status && scenario.run.initial.empty()) status = read_table(scenario, flock.start.file, options.tables);
+    if (status && scenario.run.initial.empty())
+      status = read_table(scenario, flock.start.file, options.tables);
   }
   if (!status) return status.problems();
   return Simulation::create(scenario, options);

@@ -34,7 +34,8 @@ std::vector<Column> columns_of(Table& table, int dimensions) {
   State& state = table.state;
   std::vector<Column> out = {{"id", nullptr, &state.id, nullptr}, {"flock", nullptr, nullptr, &state.flock}};
   const auto axes = static_cast<std::size_t>(dimensions);
-  for (std::size_t axis = 0; axis < axes; ++axis) out.push_back({axis_names[axis], &state.position[axis], nullptr, nullptr});
+  for (std::size_t axis = 0; axis < axes; ++axis)
+    out.push_back({axis_names[axis], &state.position[axis], nullptr, nullptr});
   for (std::size_t axis = 0; axis < axes; ++axis) {
     out.push_back({say("v", axis_names[axis]), &state.velocity[axis], nullptr, nullptr});
   }
@@ -49,7 +50,8 @@ std::vector<Column> columns_of(Table& table, int dimensions) {
 
 bool is_written(const Column& column, const State& state) {
   if (column.name == "quarantined") {
-    return std::any_of(state.quarantined.begin(), state.quarantined.end(), [](std::uint8_t flag) { return flag != 0; });
+    return std::any_of(state.quarantined.begin(), state.quarantined.end(),
+                       [](std::uint8_t flag) { return flag != 0; });
   }
   if (column.name == "next_id") return !column.ids->empty();
   return column.ids != nullptr || column.small != nullptr || !column.floats->empty() ||
@@ -115,7 +117,8 @@ class CsvReader {
 
   bool read_header() {
     std::string_view line;
-    if (!next_line(line)) return fail("", "the file is empty; a state CSV begins with the line id,flock,x,y,vx,vy");
+    if (!next_line(line))
+      return fail("", "the file is empty; a state CSV begins with the line id,flock,x,y,vx,vy");
     const auto names = split(line);
     state_.dimensions = std::find(names.begin(), names.end(), "z") != names.end() ? 3 : 2;
     auto possible = columns_of(table_, state_.dimensions);
@@ -125,7 +128,11 @@ class CsvReader {
       const auto found = std::find(known.begin(), known.end(), name);
       if (found == known.end()) {
         const std::string near = nearest_word(name, known);
-        return fail(std::string(name), say("there is no such column", near.empty() ? "; a state CSV has id,flock,x,y,vx,vy or id,flock,x,y,z,vx,vy,vz" : "; did you mean \"", near, near.empty() ? "" : "\"?"));
+        return fail(std::string(name),
+                    say("there is no such column",
+                        near.empty() ? "; a state CSV has id,flock,x,y,vx,vy or id,flock,x,y,z,vx,vy,vz"
+                                     : "; did you mean \"",
+                        near, near.empty() ? "" : "\"?"));
       }
       const Column& column = possible[static_cast<std::size_t>(found - known.begin())];
       for (const Column& earlier : columns_) {
@@ -140,7 +147,8 @@ class CsvReader {
   }
 
   bool has(std::string_view name) const {
-    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) { return column.name == name; });
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const Column& column) { return column.name == name; });
   }
 
   bool read_row(std::string_view line) {
@@ -159,8 +167,10 @@ class CsvReader {
     if (column.floats != nullptr) {
       float number = 0;
       if (cell.starts_with('+')) cell.remove_prefix(1);
-      if (!read_number(cell, number)) return fail(column.name, say("must be a number, but found \"", cell, "\""));
-      if (!(std::abs(number) <= 1e15f)) return fail(column.name, say("must be finite and at most 1e15, but found ", cell));
+      if (!read_number(cell, number))
+        return fail(column.name, say("must be a number, but found \"", cell, "\""));
+      if (!(std::abs(number) <= 1e15f))
+        return fail(column.name, say("must be finite and at most 1e15, but found ", cell));
       column.floats->push_back(number);
       return true;
     }
@@ -169,7 +179,8 @@ class CsvReader {
       return fail(column.name, say("must be a whole number from 0 up, but found \"", cell, "\""));
     }
     if (column.ids != nullptr) {
-      if (number >= std::uint64_t{1} << 48) return fail(column.name, say("must be below 2^48, but found ", number));
+      if (number >= std::uint64_t{1} << 48)
+        return fail(column.name, say("must be below 2^48, but found ", number));
       column.ids->push_back(number);
       return true;
     }
@@ -184,7 +195,8 @@ class CsvReader {
     for (std::size_t i = 0; !has("id") && i < rows_; ++i) state_.id.push_back(i);
     state_.flock.resize(rows_);
     state_.quarantined.resize(rows_);
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(state_.dimensions); ++axis) state_.velocity[axis].resize(rows_);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(state_.dimensions); ++axis)
+      state_.velocity[axis].resize(rows_);
     for (const std::uint64_t id : state_.id) state_.next_id = std::max(state_.next_id, id + 1);
     for (const std::uint64_t next : table_.next_id) state_.next_id = std::max(state_.next_id, next);
   }

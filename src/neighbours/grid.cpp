@@ -34,7 +34,8 @@ struct Runs {
 
 class Grid : public NeighbourIndex {
  public:
-  void build(const Cloud& cloud, float reach, const Workers& workers, std::vector<std::uint32_t>& order) override {
+  void build(const Cloud& cloud, float reach, const Workers& workers,
+             std::vector<std::uint32_t>& order) override {
     cloud_ = cloud;
     reach_ = padded_reach(cloud, reach);
     choose_axes();
@@ -108,7 +109,8 @@ class Grid : public NeighbourIndex {
     return std::max<std::int64_t>(4096, 8 * static_cast<std::int64_t>(cloud_.count));
   }
 
-  // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how many.
+  // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how
+  // many.
   double lay(const std::array<std::array<double, 2>, 3>& stretch, double scale) {
     double total = 1;
     axes_[2] = {};
@@ -129,7 +131,8 @@ class Grid : public NeighbourIndex {
     const auto axes = static_cast<std::size_t>(cloud_.dimensions);
     const auto limit = static_cast<double>(most_cells());
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      stretch[axis] = cloud_.wraps ? std::array<double, 2>{cloud_.min[axis], cloud_.max[axis]} : reach_of_boids(axis);
+      stretch[axis] =
+          cloud_.wraps ? std::array<double, 2>{cloud_.min[axis], cloud_.max[axis]} : reach_of_boids(axis);
     }
     if (!cloud_.wraps && lay(stretch, 1) > limit) {
       for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -203,6 +206,8 @@ class Grid : public NeighbourIndex {
 
 }  // namespace
 
-std::unique_ptr<NeighbourIndex> make_grid() { return std::make_unique<Grid>(); }
+std::unique_ptr<NeighbourIndex> make_grid() {
+  return std::make_unique<Grid>();
+}
 
 }  // namespace sturnus

@@ -25,7 +25,9 @@ class AllPairs : public NeighbourIndex {
 
 }  // namespace
 
-std::unique_ptr<NeighbourIndex> make_all_pairs() { return std::make_unique<AllPairs>(); }
+std::unique_ptr<NeighbourIndex> make_all_pairs() {
+  return std::make_unique<AllPairs>();
+}
 
 double padded_reach(const Cloud& cloud, float reach) {
   double size = 0;

@@ -1,8 +1,8 @@
 // Who is near: one interface over all pairs, the cell grid and the tree.
 //
 // An index first says in which order the boids should stand (so that near ones stand together), then answers
-// with spans of that order. A span may hold boids that are too far; it never leaves one out. The distance test
-// is the kernel's alone, so every index finds the same neighbours.
+// with spans of that order. A span may hold boids that are too far; it never leaves one out. The distance
+// test is the kernel's alone, so every index finds the same neighbours.
 #pragma once
 
 #include <array>
@@ -39,12 +39,13 @@ class NeighbourIndex {
  public:
   virtual ~NeighbourIndex() = default;
 
-  /// Sorts the cloud for questions of up to `reach` (length, above 0). `order` becomes the order in which boids
-  /// should stand, or empty where they may stand as they do. Ties keep the order that was.
-  virtual void build(const Cloud& cloud, float reach, const Workers& workers, std::vector<std::uint32_t>& order) = 0;
+  /// Sorts the cloud for questions of up to `reach` (length, above 0). `order` becomes the order in which
+  /// boids should stand, or empty where they may stand as they do. Ties keep the order that was.
+  virtual void build(const Cloud& cloud, float reach, const Workers& workers,
+                     std::vector<std::uint32_t>& order) = 0;
 
-  /// Spans that hold every boid within the reach of a place inside the space. Always in the same order; no boid
-  /// twice. `spans` is cleared first.
+  /// Spans that hold every boid within the reach of a place inside the space. Always in the same order; no
+  /// boid twice. `spans` is cleared first.
   virtual void spans(const std::array<float, 3>& at, std::vector<Span>& spans) const = 0;
 
   /// The cells or leaves that hold boids.

@@ -50,11 +50,13 @@ bool sees(const NeighbourRow& row, const Target<D>& target, const Neighbour<D>& 
 template <int D>
 bool sampled(const NeighbourRow& row, const Target<D>& target, std::uint64_t neighbour_id) {
   if (row.sample_below == 0) return true;
-  return static_cast<std::uint32_t>(mix(neighbour_id ^ (std::uint64_t{target.salt} << 32)) >> 32) < row.sample_below;
+  return static_cast<std::uint32_t>(mix(neighbour_id ^ (std::uint64_t{target.salt} << 32)) >> 32) <
+         row.sample_below;
 }
 
 void add(NeighbourSum& sum, const std::array<const float*, 3>& columns, int components, std::size_t i) {
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(components); ++axis) sum.value[axis] += columns[axis][i];
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(components); ++axis)
+    sum.value[axis] += columns[axis][i];
 }
 
 template <int D>
@@ -62,19 +64,26 @@ void add_offset(NeighbourSum& sum, Strength strength, const Neighbour<D>& neighb
   float scale = 1;
   if (strength != Strength::grows) {
     if (neighbour.distance_squared < least_distance_squared) return;
-    scale = 1.0f / (strength == Strength::fades ? neighbour.distance_squared : std::sqrt(neighbour.distance_squared));
+    scale = 1.0f / (strength == Strength::fades ? neighbour.distance_squared
+                                                : std::sqrt(neighbour.distance_squared));
   }
-  for (int axis = 0; axis < D; ++axis) sum.value[static_cast<std::size_t>(axis)] += neighbour.offset[axis] * scale;
+  for (int axis = 0; axis < D; ++axis)
+    sum.value[static_cast<std::size_t>(axis)] += neighbour.offset[axis] * scale;
 }
 
 template <int D>
-void add_contribution(NeighbourSum& sum, const NeighbourRow& row, const Boids& sources, const Neighbour<D>& neighbour) {
+void add_contribution(NeighbourSum& sum, const NeighbourRow& row, const Boids& sources,
+                      const Neighbour<D>& neighbour) {
   ++sum.count;
   switch (row.quantity) {
-    case Quantity::offset: return add_offset(sum, row.strength, neighbour);
-    case Quantity::velocity: return add(sum, sources.velocity, D, neighbour.slot);
-    case Quantity::heading: return add(sum, sources.heading, D, neighbour.slot);
-    case Quantity::colour: return add(sum, sources.colour, 3, neighbour.slot);
+    case Quantity::offset:
+      return add_offset(sum, row.strength, neighbour);
+    case Quantity::velocity:
+      return add(sum, sources.velocity, D, neighbour.slot);
+    case Quantity::heading:
+      return add(sum, sources.heading, D, neighbour.slot);
+    case Quantity::colour:
+      return add(sum, sources.colour, 3, neighbour.slot);
   }
 }
 
@@ -88,7 +97,8 @@ void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boid
     if (!(neighbour.distance_squared < flock.reach_squared) || sources.id[i] == target.id) continue;
     for (std::size_t r = 0; r < flock.rows.size(); ++r) {
       const NeighbourRow& row = flock.rows[r];
-      const bool in_ring = row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
+      const bool in_ring =
+          row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
       if (!in_ring || (row.flocks & sources.flock_bit[i]) == 0) continue;
       if (sees(row, target, neighbour) && sampled(row, target, sources.id[i])) {
         add_contribution(sums[r], row, sources, neighbour);
@@ -107,10 +117,14 @@ struct Summed {
 template <int D>
 Summed summed_by(const NeighbourRow& row, const Boids& boids) {
   switch (row.quantity) {
-    case Quantity::offset: return {boids.position, &Totals::position, D};
-    case Quantity::velocity: return {boids.velocity, &Totals::velocity, D};
-    case Quantity::heading: return {boids.heading, &Totals::heading, D};
-    case Quantity::colour: return {boids.colour, &Totals::colour, 3};
+    case Quantity::offset:
+      return {boids.position, &Totals::position, D};
+    case Quantity::velocity:
+      return {boids.velocity, &Totals::velocity, D};
+    case Quantity::heading:
+      return {boids.heading, &Totals::heading, D};
+    case Quantity::colour:
+      return {boids.colour, &Totals::colour, 3};
   }
   return {boids.position, &Totals::position, D};
 }
@@ -126,7 +140,8 @@ NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::
   for (std::size_t flock = 0; flock < totals.size(); ++flock) {
     if ((row.flocks >> flock & 1) == 0) continue;
     count += totals[flock].count;
-    for (std::size_t axis = 0; axis < summed.components; ++axis) sum[axis] += (totals[flock].*summed.total)[axis];
+    for (std::size_t axis = 0; axis < summed.components; ++axis)
+      sum[axis] += (totals[flock].*summed.total)[axis];
   }
   NeighbourSum out;
   out.count = static_cast<std::uint32_t>(count);
@@ -165,7 +180,8 @@ void add_totals(Totals& to, const Totals& from) {
 }  // namespace
 
 template <int D>
-void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers, std::vector<Totals>& totals) {
+void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers,
+                       std::vector<Totals>& totals) {
   constexpr std::size_t block_size = 4096;
   const std::size_t blocks = (boids.count + block_size - 1) / block_size;
   std::vector<Totals> parts(blocks * flocks);
@@ -194,24 +210,26 @@ void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, co
     const FlockModel& flock = model.flocks[targets.flock[j]];
     if (question.index != nullptr && flock.reach_squared > 0) {
       const auto velocity = at<D>(targets.velocity, j);
-      const Target<D> target{targets.id[j], at<D>(targets.position, j), velocity, length(velocity),
-                             static_cast<std::uint32_t>(fold(fold(fold(0, model.seed), question.step), targets.id[j]))};
+      const Target<D> target{
+          targets.id[j], at<D>(targets.position, j), velocity, length(velocity),
+          static_cast<std::uint32_t>(fold(fold(fold(0, model.seed), question.step), targets.id[j]))};
       std::array<float, 3> place{};
       for (int axis = 0; axis < D; ++axis) place[static_cast<std::size_t>(axis)] = target.position[axis];
       question.index->spans(place, spans);
       for (const Span span : spans) add_neighbours(flock, target, sources, span, question.image, own);
     }
     for (std::size_t r = 0; r < flock.rows.size(); ++r) {
-      if (flock.rows[r].whole_population) own[r] = whole_population<D>(flock.rows[r], targets, j, question.totals);
+      if (flock.rows[r].whole_population)
+        own[r] = whole_population<D>(flock.rows[r], targets, j, question.totals);
     }
   }
 }
 
 template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
 template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
-template void neighbour_sums<2>(const Boids&, std::size_t, std::size_t, const Boids&, const NeighbourQuestion&,
-                                std::span<NeighbourSum>);
-template void neighbour_sums<3>(const Boids&, std::size_t, std::size_t, const Boids&, const NeighbourQuestion&,
-                                std::span<NeighbourSum>);
+template void neighbour_sums<2>(const Boids&, std::size_t, std::size_t, const Boids&,
+                                const NeighbourQuestion&, std::span<NeighbourSum>);
+template void neighbour_sums<3>(const Boids&, std::size_t, std::size_t, const Boids&,
+                                const NeighbourQuestion&, std::span<NeighbourSum>);
 
 }  // namespace sturnus

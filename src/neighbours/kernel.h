@@ -15,7 +15,7 @@ struct Boids {
   std::array<const float*, 3> velocity{};
   std::array<const float*, 3> heading{};
   std::array<const float*, 3> colour{};
-  const std::uint64_t* id = nullptr;      ///< global: a boid is its own neighbour by id, not by place
+  const std::uint64_t* id = nullptr;  ///< global: a boid is its own neighbour by id, not by place
   const std::uint8_t* flock = nullptr;
   const std::uint64_t* flock_bit = nullptr;  ///< 1 << flock, or 0 for a boid that nobody may see
 };
@@ -32,9 +32,11 @@ struct Totals {
   std::array<double, 3> position{}, velocity{}, heading{}, colour{};
 };
 
-/// Sums of the whole population, flock by flock. Fixed blocks in storage order, so that no thread count matters.
+/// Sums of the whole population, flock by flock. Fixed blocks in storage order, so that no thread count
+/// matters.
 template <int D>
-void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers, std::vector<Totals>& totals);
+void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers,
+                       std::vector<Totals>& totals);
 
 /// Everything that one call needs besides the boids.
 struct NeighbourQuestion {
@@ -45,9 +47,9 @@ struct NeighbourQuestion {
   std::uint64_t step = 0;          ///< for the sampling of neighbours
 };
 
-/// For targets [begin, end): every row of the target's flock, summed over its neighbours among the sources, into
-/// sums[target * most_rows + row]. Targets and sources may be different boids: what comes from elsewhere is a
-/// source only. Neighbours are added in the order of the index's spans.
+/// For targets [begin, end): every row of the target's flock, summed over its neighbours among the sources,
+/// into sums[target * most_rows + row]. Targets and sources may be different boids: what comes from elsewhere
+/// is a source only. Neighbours are added in the order of the index's spans.
 template <int D>
 void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, const Boids& sources,
                     const NeighbourQuestion& question, std::span<NeighbourSum> sums);

@@ -28,7 +28,8 @@ struct Neighbourhood {
   std::span<const std::uint64_t> ids;
 };
 
-/// Calls f(slot, distance²) for every visible boid nearer than `radius`, which must be within the index's reach.
+/// Calls f(slot, distance²) for every visible boid nearer than `radius`, which must be within the index's
+/// reach.
 template <int D, class F>
 void visit(const Neighbourhood& among, const Vec<D>& at, float radius, std::vector<Span>& spans, F&& f) {
   std::array<float, 3> place{};
@@ -37,7 +38,8 @@ void visit(const Neighbourhood& among, const Vec<D>& at, float radius, std::vect
   for (const Span span : spans) {
     for (std::uint32_t i = span.begin; i < span.end; ++i) {
       Vec<D> other;
-      for (int axis = 0; axis < D; ++axis) other[axis] = among.cloud.position[static_cast<std::size_t>(axis)][i];
+      for (int axis = 0; axis < D; ++axis)
+        other[axis] = among.cloud.position[static_cast<std::size_t>(axis)][i];
       const Vec<D> o = offset(at, other, among.image);
       const float distance_squared = dot(o, o);
       if (distance_squared < radius * radius && among.cloud.hidden[i] == 0) f(i, distance_squared);

@@ -88,7 +88,8 @@ class Tree : public NeighbourIndex {
     for (unsigned child = 0; child < children; ++child) {
       const auto from = order.begin() + static_cast<std::ptrdiff_t>(begin);
       const auto to = order.begin() + static_cast<std::ptrdiff_t>(node.end);
-      const auto end = std::stable_partition(from, to, [&](std::uint32_t i) { return child_of(node, i) == child; });
+      const auto end =
+          std::stable_partition(from, to, [&](std::uint32_t i) { return child_of(node, i) == child; });
       nodes_.push_back(child_node(node, child, begin, static_cast<std::uint32_t>(end - order.begin())));
       begin = nodes_.back().end;
     }

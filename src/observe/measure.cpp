@@ -1,4 +1,5 @@
-// Measures of a flock, in double and in order of ids, so that neither threads nor storage can be seen in them.
+// Measures of a flock, in double and in order of ids, so that neither threads nor storage can be seen in
+// them.
 #include <sturnus/measure.h>
 
 #include <algorithm>
@@ -18,7 +19,9 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 using Vec3d = Vec<3, double>;
 
-Vec3d wide(const std::array<float, 3>& v) { return {{double{v[0]}, double{v[1]}, double{v[2]}}}; }
+Vec3d wide(const std::array<float, 3>& v) {
+  return {{double{v[0]}, double{v[1]}, double{v[2]}}};
+}
 
 Vec3d cross(const Vec3d& a, const Vec3d& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
@@ -46,7 +49,9 @@ struct Flock {
   }
 };
 
-double mean(double sum, std::size_t count) { return count == 0 ? not_known : sum / static_cast<double>(count); }
+double mean(double sum, std::size_t count) {
+  return count == 0 ? not_known : sum / static_cast<double>(count);
+}
 
 double mean_speed(const Flock& flock) {
   double sum = 0;
@@ -82,7 +87,8 @@ Vec3d centre_of_mass(const Flock& flock) {
       sum_sin += std::sin(angle);
     }
     const double turned = std::atan2(sum_sin, sum_cos) / (2 * pi);
-    centre[axis] = flock.model.wraps() ? double{flock.model.min[a]} + double{flock.model.size[a]} * (turned < 0 ? turned + 1 : turned)
+    centre[axis] = flock.model.wraps() ? double{flock.model.min[a]} +
+                                             double{flock.model.size[a]} * (turned < 0 ? turned + 1 : turned)
                                        : sum / static_cast<double>(flock.slots.size());
   }
   return centre;
@@ -196,10 +202,12 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
 }
 
 bool in_view(const Flock& flock, std::size_t i, std::size_t other) {
-  const FlockDef& def = flock.view.scenario().flocks[static_cast<std::size_t>(flock.view.flock(flock.slots[i]))];
+  const FlockDef& def =
+      flock.view.scenario().flocks[static_cast<std::size_t>(flock.view.flock(flock.slots[i]))];
   if (def.field_of_view >= 360) return true;
   const Vec3d velocity = wide(flock.view.velocity(flock.slots[i]));
-  const Vec3d o = flock.offset(wide(flock.view.position(flock.slots[i])), wide(flock.view.position(flock.slots[other])));
+  const Vec3d o =
+      flock.offset(wide(flock.view.position(flock.slots[i])), wide(flock.view.position(flock.slots[other])));
   return dot(velocity, o) >= cosine_of_degrees(def.field_of_view / 2) * length(velocity) * length(o);
 }
 
@@ -225,9 +233,11 @@ void measure_links(const Flock& flock, double link, Measures& out) {
   }
   std::vector<std::size_t> members(count, 0);
   for (std::size_t i = 0; i < count; ++i) ++members[root_of(parent, i)];
-  out.clusters = static_cast<std::size_t>(std::count_if(members.begin(), members.end(), [](std::size_t n) { return n > 0; }));
-  out.largest_cluster = count == 0 ? not_known : static_cast<double>(*std::max_element(members.begin(), members.end())) /
-                                                     static_cast<double>(count);
+  out.clusters = static_cast<std::size_t>(
+      std::count_if(members.begin(), members.end(), [](std::size_t n) { return n > 0; }));
+  out.largest_cluster = count == 0 ? not_known
+                                   : static_cast<double>(*std::max_element(members.begin(), members.end())) /
+                                         static_cast<double>(count);
   out.neighbours = mean(seen, count);
 }
 
@@ -251,7 +261,9 @@ double polarisation_of(const Flock& flock) {
 
 }  // namespace
 
-double polarisation(const View& view) { return polarisation_of(Flock(view)); }
+double polarisation(const View& view) {
+  return polarisation_of(Flock(view));
+}
 
 Measures measure(const View& view, double link) {
   const Flock flock(view);
@@ -262,7 +274,8 @@ Measures measure(const View& view, double link) {
   out.milling = milling_of(flock);
   out.speed = mean_speed(flock);
   out.turning = mean_turning(flock);
-  out.nearest_distance = view.dimensions() == 3 ? nearest_distance_of<3>(flock) : nearest_distance_of<2>(flock);
+  out.nearest_distance =
+      view.dimensions() == 3 ? nearest_distance_of<3>(flock) : nearest_distance_of<2>(flock);
   view.dimensions() == 3 ? measure_links<3>(flock, link_of(flock, link), out)
                          : measure_links<2>(flock, link_of(flock, link), out);
   return out;
@@ -270,15 +283,22 @@ Measures measure(const View& view, double link) {
 
 const std::vector<MeasureColumn>& measure_columns() {
   static const std::vector<MeasureColumn> columns = {
-      {"boids", "Boids", "", not_known, not_known, [](const Measures& m) { return static_cast<double>(m.boids); }},
+      {"boids", "Boids", "", not_known, not_known,
+       [](const Measures& m) { return static_cast<double>(m.boids); }},
       {"polarisation", "Polarisation", "", 0, 1, [](const Measures& m) { return m.polarisation; }},
       {"milling", "Milling", "", 0, 1, [](const Measures& m) { return m.milling; }},
-      {"speed", "Mean speed", "length per time", not_known, not_known, [](const Measures& m) { return m.speed; }},
-      {"turning", "Turning", "degrees per step", not_known, not_known, [](const Measures& m) { return m.turning; }},
-      {"nearest_distance", "Nearest neighbour", "length", not_known, not_known, [](const Measures& m) { return m.nearest_distance; }},
-      {"neighbours", "Neighbours in reach", "", not_known, not_known, [](const Measures& m) { return m.neighbours; }},
-      {"clusters", "Clusters", "", not_known, not_known, [](const Measures& m) { return static_cast<double>(m.clusters); }},
-      {"largest_cluster", "Share in the largest cluster", "", 0, 1, [](const Measures& m) { return m.largest_cluster; }},
+      {"speed", "Mean speed", "length per time", not_known, not_known,
+       [](const Measures& m) { return m.speed; }},
+      {"turning", "Turning", "degrees per step", not_known, not_known,
+       [](const Measures& m) { return m.turning; }},
+      {"nearest_distance", "Nearest neighbour", "length", not_known, not_known,
+       [](const Measures& m) { return m.nearest_distance; }},
+      {"neighbours", "Neighbours in reach", "", not_known, not_known,
+       [](const Measures& m) { return m.neighbours; }},
+      {"clusters", "Clusters", "", not_known, not_known,
+       [](const Measures& m) { return static_cast<double>(m.clusters); }},
+      {"largest_cluster", "Share in the largest cluster", "", 0, 1,
+       [](const Measures& m) { return m.largest_cluster; }},
   };
   return columns;
 }
@@ -296,7 +316,8 @@ std::string measures_line(const Measures& measures) {
     const double value = column.value(measures);
     if (std::isnan(value)) continue;
     char buffer[64];
-    out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 9).ptr);
+    out.append(buffer,
+               std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 9).ptr);
   }
   return out;
 }

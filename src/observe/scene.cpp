@@ -10,14 +10,19 @@
 namespace sturnus {
 namespace {
 
-std::uint8_t to_byte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
+std::uint8_t to_byte(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
 
 GlyphKind kind_of(const FlockDef& flock, int dimensions) {
   if (!flock.glyph) return dimensions == 3 ? GlyphKind::cone : GlyphKind::dart;
   switch (*flock.glyph) {
-    case GlyphStyle::dart: return GlyphKind::dart;
-    case GlyphStyle::cone: return GlyphKind::cone;
-    case GlyphStyle::circle: return GlyphKind::circle;
+    case GlyphStyle::dart:
+      return GlyphKind::dart;
+    case GlyphStyle::cone:
+      return GlyphKind::cone;
+    case GlyphStyle::circle:
+      return GlyphKind::circle;
   }
   return GlyphKind::dart;
 }
@@ -42,7 +47,8 @@ void add_index(const SceneOptions& options, const SceneColours& colours, DrawLis
 }
 
 // Velocities as arrows, a few boid lengths long at full speed.
-void add_velocity(const View& view, const FlockDef& flock, std::size_t slot, const SceneColours& colours, DrawList& list) {
+void add_velocity(const View& view, const FlockDef& flock, std::size_t slot, const SceneColours& colours,
+                  DrawList& list) {
   const Vec<3> position{view.position(slot)};
   const Vec<3> velocity{view.velocity(slot)};
   const auto full = static_cast<float>(std::isinf(flock.max_speed) ? 0 : flock.max_speed);
@@ -73,7 +79,8 @@ void add_caption(const View& view, const SceneColours& colours, DrawList& list) 
 Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours) {
   const State& state = view.state();
   if (!state.colour[0].empty()) {
-    return {to_byte(state.colour[0][slot]), to_byte(state.colour[1][slot]), to_byte(state.colour[2][slot]), 255};
+    return {to_byte(state.colour[0][slot]), to_byte(state.colour[1][slot]), to_byte(state.colour[2][slot]),
+            255};
   }
   const auto flock = static_cast<std::size_t>(view.flock(slot));
   const std::string& start = view.scenario().flocks[flock].colour.start;
@@ -94,7 +101,8 @@ void Trails::follow(const View& view) {
     if (before == last_.end()) continue;
     bool over_seam = false;
     for (std::size_t axis = 0; wraps && axis < extent.min.size(); ++axis) {
-      const double step = std::abs(double{at[static_cast<int>(axis)]} - double{before->second[static_cast<int>(axis)]});
+      const double step =
+          std::abs(double{at[static_cast<int>(axis)]} - double{before->second[static_cast<int>(axis)]});
       over_seam = over_seam || step > (extent.max[axis] - extent.min[axis]) / 2;
     }
     if (!over_seam) pieces.push_back({view.id(slot), before->second, at});
@@ -106,14 +114,17 @@ void Trails::follow(const View& view) {
 
 void Trails::add_to(const View& view, const SceneColours& colours, DrawList& list) const {
   std::unordered_map<std::uint64_t, Rgba> colour;
-  for (std::size_t slot = 0; slot < view.size(); ++slot) colour.emplace(view.id(slot), colour_of(view, slot, colours));
+  for (std::size_t slot = 0; slot < view.size(); ++slot)
+    colour.emplace(view.id(slot), colour_of(view, slot, colours));
   const auto age_step = 1.0f / static_cast<float>(std::max<std::size_t>(1, steps_.size()));
   float strength = 0;
   for (const auto& pieces : steps_) {
     for (const Piece& piece : pieces) {
       const auto own = colour.find(piece.id);
       if (own == colour.end()) continue;
-      Segment segment{piece.from, piece.to, own->second, 1.3f, 0.55f * strength, 0.55f * (strength + age_step), Layer::below};
+      Segment segment{piece.from,  piece.to,         own->second,
+                      1.3f,        0.55f * strength, 0.55f * (strength + age_step),
+                      Layer::below};
       list.segments.push_back(segment);
     }
     strength += age_step;
@@ -125,8 +136,9 @@ void make_scene(const View& view, const SceneColours& colours, const SceneOption
   add_index(options, colours, list);
   for (std::size_t slot = 0; slot < view.size(); ++slot) {
     const FlockDef& flock = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))];
-    list.glyphs.push_back({Vec<3>{view.position(slot)}, Vec<3>{view.velocity(slot)}, static_cast<float>(flock.size),
-                           colour_of(view, slot, colours), kind_of(flock, view.dimensions())});
+    list.glyphs.push_back({Vec<3>{view.position(slot)}, Vec<3>{view.velocity(slot)},
+                           static_cast<float>(flock.size), colour_of(view, slot, colours),
+                           kind_of(flock, view.dimensions())});
     if (options.velocities) add_velocity(view, flock, slot, colours, list);
   }
   if (options.caption) add_caption(view, colours, list);

@@ -33,7 +33,9 @@ Vec<D> limited(const Vec<D>& velocity, float min_speed, float max_speed) {
 template <int D>
 void Arbiter<D>::add(const Vec<D>& weighted) {
   switch (arbitration_) {
-    case Arbitration::weighted: sum_ += weighted; break;
+    case Arbitration::weighted:
+      sum_ += weighted;
+      break;
     case Arbitration::first:
       sum_ = weighted;
       done_ = !(weighted == Vec<D>{});

@@ -7,7 +7,8 @@
 namespace sturnus {
 namespace {
 
-// Folds a coordinate into [0, size] as a ball between two walls would go; tells whether it moves backwards then.
+// Folds a coordinate into [0, size] as a ball between two walls would go; tells whether it moves backwards
+// then.
 bool fold_back(float& coordinate, float size) {
   const float turns = std::floor(coordinate / size);
   coordinate -= turns * size;

@@ -1,4 +1,5 @@
-// Separation, alignment, cohesion, flee: from sums over neighbours to steering. With no neighbour a term is zero.
+// Separation, alignment, cohesion, flee: from sums over neighbours to steering. With no neighbour a term is
+// zero.
 #include "rules/rules.h"
 
 namespace sturnus {
@@ -45,9 +46,12 @@ Vec<D> flee(const TermModel& term, const NeighbourSum& sum, const Self<D>& self,
   if (sum.count == 0) return {};
   const Vec<D> away = vec_of<D>(sum) * (-1.0f / static_cast<float>(sum.count));
   switch (term.form) {
-    case SteeringForm::heading: return away - self.heading;
-    case SteeringForm::seek: return narrow_to<D>(seek(widened(away), widened(self.velocity), max_speed));
-    case SteeringForm::linear: return away;
+    case SteeringForm::heading:
+      return away - self.heading;
+    case SteeringForm::seek:
+      return narrow_to<D>(seek(widened(away), widened(self.velocity), max_speed));
+    case SteeringForm::linear:
+      return away;
   }
   return {};
 }

@@ -1,4 +1,5 @@
-// Noise: a random acceleration in the weighted sum, and a random turn after the velocity update (Vicsek 1995).
+// Noise: a random acceleration in the weighted sum, and a random turn after the velocity update (Vicsek
+// 1995).
 #include <cmath>
 
 #include "base/root.h"
@@ -38,7 +39,8 @@ Vec<D> noise_acceleration(const TermModel& term, const Self<D>& self, const Mome
 template <int D>
 Vec<D> turned_at_random(const Vec<D>& velocity, float eta, std::uint64_t id, const Moment& moment) {
   const float squared = dot(velocity, velocity);
-  // Without a direction, or with one lost to overflow, there is nothing to turn; the latter ends in quarantine.
+  // Without a direction, or with one lost to overflow, there is nothing to turn; the latter ends in
+  // quarantine.
   if (eta == 0 || !(squared > 0) || !std::isfinite(squared)) return velocity;
   Draws draws(moment.seed, moment.step, id, Stream::noise_turn);
   const float angle = eta * (draws.uniform() - 0.5f);

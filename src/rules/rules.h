@@ -1,4 +1,5 @@
-// Every steering term of one boid, as functions; each rule has its own file. Rules see no files, threads or clocks.
+// Every steering term of one boid, as functions; each rule has its own file. Rules see no files, threads or
+// clocks.
 #pragma once
 
 #include <sturnus/steering.h>
@@ -37,8 +38,8 @@ Vec<D> turned_at_random(const Vec<D>& velocity, float eta, std::uint64_t id, con
 
 /// What the pressed pointer makes a boid feel.
 template <int D>
-Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, const Self<D>& self, const Image& image,
-                    float max_speed);
+Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, const Self<D>& self,
+                    const Image& image, float max_speed);
 
 /// Turn: the acceleration inward for every margin that the place is in.
 template <int D>
@@ -49,8 +50,8 @@ template <int D>
 void keep_inside(const Model& model, Vec<D>& position, Vec<D>& velocity);
 
 /// The next colour: toward the neighbours' mean, plus noise, clamped to [0, 1].
-Vec<3> drifted_colour(const FlockModel& flock, const Vec<3>& colour, const NeighbourSum* neighbours, std::uint64_t id,
-                      const Moment& moment);
+Vec<3> drifted_colour(const FlockModel& flock, const Vec<3>& colour, const NeighbourSum* neighbours,
+                      std::uint64_t id, const Moment& moment);
 
 /// At most `longest` long.
 template <int D>

@@ -17,7 +17,11 @@ struct Self {
   Vec<D> heading;  ///< v / |v|; zero at rest
 
   Self(std::uint64_t own_id, const Vec<D>& own_position, const Vec<D>& own_velocity)
-      : id(own_id), position(own_position), velocity(own_velocity), speed(length(own_velocity)), heading(unit(own_velocity)) {}
+      : id(own_id),
+        position(own_position),
+        velocity(own_velocity),
+        speed(length(own_velocity)),
+        heading(unit(own_velocity)) {}
 };
 
 /// When and under which seed numbers are drawn.

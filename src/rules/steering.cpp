@@ -5,7 +5,9 @@
 
 namespace sturnus {
 
-Vector heading(const Vector& velocity) { return unit(Vec<3>{velocity}).at; }
+Vector heading(const Vector& velocity) {
+  return unit(Vec<3>{velocity}).at;
+}
 
 Vector seek(const Vector& offset, const Vector& velocity, float max_speed) {
   return (unit(Vec<3>{offset}) * max_speed - Vec<3>{velocity}).at;

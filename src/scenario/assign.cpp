@@ -20,10 +20,12 @@ Error check_number(double number, const About& about) {
   if (std::isinf(number) && about.may_be_infinite && number > 0) return {};
   if (std::isinf(number)) return "must be finite";
   if (number < about.low) {
-    return about.low == 0 ? say("must not be negative, but is ", number_text(number))
-                          : say("must be at least ", number_text(about.low), ", but is ", number_text(number));
+    return about.low == 0
+               ? say("must not be negative, but is ", number_text(number))
+               : say("must be at least ", number_text(about.low), ", but is ", number_text(number));
   }
-  if (number > about.high) return say("must be at most ", number_text(about.high), ", but is ", number_text(number));
+  if (number > about.high)
+    return say("must be at most ", number_text(about.high), ", but is ", number_text(number));
   return {};
 }
 
@@ -31,8 +33,11 @@ Error check_number(double number, const About& about) {
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3
-                               : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xc2 && lead < 0xe0 ? 2
+                               : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                             : 0;
     if (length == 0 || i + length > text.size()) return false;
     for (std::size_t j = 1; j < length; ++j) {
       if ((static_cast<unsigned char>(text[i + j]) & 0xc0) != 0x80) return false;
@@ -102,8 +107,8 @@ struct Assigner {
       }
     }
     const std::string near = word.empty() ? "" : nearest_word(word, known);
-    return say("must be one of ", kind_of(place), ", ", found(value), near.empty() ? "" : "; did you mean \"", near,
-               near.empty() ? "" : "\"?");
+    return say("must be one of ", kind_of(place), ", ", found(value), near.empty() ? "" : "; did you mean \"",
+               near, near.empty() ? "" : "\"?");
   }
 
   // The numbers of a list, or the error.
@@ -149,7 +154,8 @@ struct Assigner {
 
   // A list is the ring, a number the outer radius.
   Error operator()(const RingRef& place) const {
-    if (std::holds_alternative<Value::List>(value.held)) return pair(place.inner, place.outer, "[inner, outer]");
+    if (std::holds_alternative<Value::List>(value.held))
+      return pair(place.inner, place.outer, "[inner, outer]");
     return number(*place.outer);
   }
 
@@ -251,11 +257,16 @@ std::optional<std::string> assign(const FieldRef& place, const Value& value, con
   return std::visit(Assigner{value, about}, place);
 }
 
-std::optional<Value> value_at(const FieldRef& place) { return std::visit(Shower{}, place); }
+std::optional<Value> value_at(const FieldRef& place) {
+  return std::visit(Shower{}, place);
+}
 
-std::string kind_of(const FieldRef& place) { return std::visit(Kinds{}, place); }
+std::string kind_of(const FieldRef& place) {
+  return std::visit(Kinds{}, place);
+}
 
-std::string unknown_word(std::string_view what, std::string_view word, const std::vector<std::string>& known) {
+std::string unknown_word(std::string_view what, std::string_view word,
+                         const std::vector<std::string>& known) {
   const std::string near = nearest_word(word, known);
   std::string out = say("there is no ", what, " \"", word, "\"");
   if (!near.empty()) return out + say("; did you mean \"", near, "\"?");

@@ -43,25 +43,28 @@ class Checker {
   void check_numbers();
 
   void check_size(const Coordinates& at, std::size_t size, const std::string& key) {
-    if (!at.empty() && at.size() != size) say_error(key, say("must have ", size, " numbers, but has ", at.size()));
+    if (!at.empty() && at.size() != size)
+      say_error(key, say("must have ", size, " numbers, but has ", at.size()));
   }
 
   void check_space() {
     const Space& space = scenario_.space;
-    if (!(scenario_.time.dt > 0)) say_error("time.dt", say("must be above 0, but is ", number_text(scenario_.time.dt)));
+    if (!(scenario_.time.dt > 0))
+      say_error("time.dt", say("must be above 0, but is ", number_text(scenario_.time.dt)));
     check_size(space.min, axes(), "space.min");
     check_size(space.max, axes(), "space.max");
     if (space.min.empty() != space.max.empty()) {
       return say_error(space.min.empty() ? "space.min" : "space.max", "is missing; min and max go together");
     }
-    if (!space.min.empty() && space.per_boid) return say_error("space.per_boid", "give per_boid, or min and max, not both");
+    if (!space.min.empty() && space.per_boid)
+      return say_error("space.per_boid", "give per_boid, or min and max, not both");
     if (space.min.empty() && space.per_boid && !(*space.per_boid > 0)) {
       return say_error("space.per_boid", "must be above 0, or give space.min and space.max");
     }
     for (std::size_t axis = 0; axis < std::min(space.min.size(), space.max.size()); ++axis) {
       if (!(space.min[axis] < space.max[axis])) {
-        say_error("space.max", say("must be above min on every axis, but ", number_text(space.max[axis]), " is not above ",
-                                   number_text(space.min[axis])));
+        say_error("space.max", say("must be above min on every axis, but ", number_text(space.max[axis]),
+                                   " is not above ", number_text(space.min[axis])));
       }
     }
     if (!has_errors(problems_)) check_extent();
@@ -92,21 +95,25 @@ class Checker {
       const double margin = boundary.margin[boundary.margin.size() == 1 ? 0 : axis];
       const double size = extent.max[axis] - extent.min[axis];
       if (2 * margin > size) {
-        say_warning(key, say("the margins of ", number_text(margin), " cross on the ", std::string_view("xyz").substr(axis, 1), " axis, which is only ",
+        say_warning(key, say("the margins of ", number_text(margin), " cross on the ",
+                             std::string_view("xyz").substr(axis, 1), " axis, which is only ",
                              number_text(size), " long; between them both push"));
       }
     }
   }
 
   void check_flocks() {
-    if (scenario_.flocks.empty()) return say_error("flock", "there is no flock; a file needs at least one [[flock]]");
-    if (scenario_.flocks.size() > most_flocks) say_error("flock", say("there are more than ", most_flocks, " flocks"));
+    if (scenario_.flocks.empty())
+      return say_error("flock", "there is no flock; a file needs at least one [[flock]]");
+    if (scenario_.flocks.size() > most_flocks)
+      say_error("flock", say("there are more than ", most_flocks, " flocks"));
     for (std::size_t i = 0; i < scenario_.flocks.size(); ++i) {
       const FlockDef& flock = scenario_.flocks[i];
       const std::string prefix = say("flock.", flock.name, ".");
       check_name(i, prefix);
       if (flock.max_speed < flock.min_speed) {
-        say_error(prefix + "max_speed", say(number_text(flock.max_speed), " is below min_speed ", number_text(flock.min_speed)));
+        say_error(prefix + "max_speed",
+                  say(number_text(flock.max_speed), " is below min_speed ", number_text(flock.min_speed)));
       }
       check_start(flock.start, prefix + "start.");
       check_terms(flock, prefix);
@@ -118,10 +125,14 @@ class Checker {
   void check_name(std::size_t i, const std::string& prefix) {
     const std::string& name = names_[i];
     const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+             c == '-';
     });
-    if (!plain) say_error(prefix + "name", say("\"", name, "\" must be letters, digits, - and _, so that paths can name it"));
-    if (name == "own" || name == "all") say_error(prefix + "name", say("\"", name, "\" has a meaning of its own"));
+    if (!plain)
+      say_error(prefix + "name",
+                say("\"", name, "\" must be letters, digits, - and _, so that paths can name it"));
+    if (name == "own" || name == "all")
+      say_error(prefix + "name", say("\"", name, "\" has a meaning of its own"));
     if (std::find(names_.begin(), names_.begin() + static_cast<std::ptrdiff_t>(i), name) !=
         names_.begin() + static_cast<std::ptrdiff_t>(i)) {
       say_error(prefix + "name", say("two flocks are called \"", name, "\""));
@@ -135,14 +146,15 @@ class Checker {
     check_size(start.heading, axes(), prefix + "heading");
     if (start.max_speed < start.min_speed) say_error(prefix + "speed", "the smaller speed must come first");
     if (start.region == StartRegion::box) {
-      if (start.min.empty() || start.max.empty()) return say_error(prefix + "region", "a box needs min and max");
+      if (start.min.empty() || start.max.empty())
+        return say_error(prefix + "region", "a box needs min and max");
       for (std::size_t axis = 0; axis < std::min(start.min.size(), start.max.size()); ++axis) {
         if (start.min[axis] > start.max[axis]) say_error(prefix + "max", "must not be below min");
       }
     }
     if (start.region == StartRegion::ring && start.inner > start.radius) {
-      say_error(prefix + "inner", say("the ring's inner radius ", number_text(start.inner), " is above its radius ",
-                                      number_text(start.radius)));
+      say_error(prefix + "inner", say("the ring's inner radius ", number_text(start.inner),
+                                      " is above its radius ", number_text(start.radius)));
     }
   }
 
@@ -158,8 +170,8 @@ class Checker {
   template <class Term>
   void check_reach(const Term& term, const std::string& prefix, bool over_offsets) {
     if (term.inner > term.radius) {
-      say_error(prefix + "radius", say("the outer radius ", number_text(term.radius), " is below the inner radius ",
-                                       number_text(term.inner)));
+      say_error(prefix + "radius", say("the outer radius ", number_text(term.radius),
+                                       " is below the inner radius ", number_text(term.inner)));
     }
     if (!std::isinf(term.radius)) return;
     const std::string lead = "an infinite radius means the whole population, which ";
@@ -181,7 +193,8 @@ class Checker {
 
   void check_names(const std::vector<std::string>& wanted, const std::string& key) {
     for (const std::string& name : wanted) {
-      if (std::find(names_.begin(), names_.end(), name) == names_.end()) say_error(key, unknown_word("flock", name, names_));
+      if (std::find(names_.begin(), names_.end(), name) == names_.end())
+        say_error(key, unknown_word("flock", name, names_));
     }
   }
 
@@ -207,7 +220,8 @@ class Checker {
     if (colour.start.empty() || colour.start == "random") return;
     const bool is_hex = colour.start.size() == 7 && colour.start[0] == '#' &&
                         colour.start.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!is_hex) say_error(prefix + "start", say("must be \"#rrggbb\" or \"random\", but found \"", colour.start, "\""));
+    if (!is_hex)
+      say_error(prefix + "start", say("must be \"#rrggbb\" or \"random\", but found \"", colour.start, "\""));
   }
 
   void check_camera() {
@@ -249,7 +263,8 @@ class RangeVisitor : public FieldVisitor {
   void field(std::string_view key, FieldRef place, const About& about) override {
     const auto value = value_at(place);
     if (!value) return;
-    if (const auto* ring = std::get_if<RingRef>(&place); ring != nullptr && *ring->inner > *ring->outer) return;
+    if (const auto* ring = std::get_if<RingRef>(&place); ring != nullptr && *ring->inner > *ring->outer)
+      return;
     if (const auto error = assign(place, *value, about)) tell_(prefix_ + std::string(key), *error);
   }
   void table(std::string_view key, const About&, const std::function<void(FieldVisitor&)>& visit_inside,
@@ -281,6 +296,8 @@ void Checker::check_numbers() {
 
 }  // namespace
 
-Problems check(const ScenarioDef& scenario) { return Checker(scenario).run(); }
+Problems check(const ScenarioDef& scenario) {
+  return Checker(scenario).run();
+}
 
 }  // namespace sturnus

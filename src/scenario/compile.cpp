@@ -12,7 +12,8 @@ std::uint64_t mask_of(const ScenarioDef& scenario, const Whose& whose, std::size
   if (whose.kind == Whose::Kind::own) return std::uint64_t{1} << own;
   std::uint64_t mask = 0;
   for (std::size_t i = 0; i < scenario.flocks.size(); ++i) {
-    const bool named = std::find(whose.names.begin(), whose.names.end(), scenario.flocks[i].name) != whose.names.end();
+    const bool named =
+        std::find(whose.names.begin(), whose.names.end(), scenario.flocks[i].name) != whose.names.end();
     if (whose.kind == Whose::Kind::all || named) mask |= std::uint64_t{1} << i;
   }
   return mask;
@@ -145,7 +146,8 @@ class FlockCompiler {
   void own_terms() {
     if (def_.cruise) own_term(TermKind::cruise, def_.cruise, def_.cruise->weight, def_.cruise->speed);
     if (def_.wander) own_term(TermKind::wander, def_.wander, def_.wander->weight, def_.wander->rate);
-    if (def_.noise && def_.noise->acceleration > 0) own_term(TermKind::noise, def_.noise, 1, def_.noise->acceleration);
+    if (def_.noise && def_.noise->acceleration > 0)
+      own_term(TermKind::noise, def_.noise, 1, def_.noise->acceleration);
     TermModel pointer;
     pointer.kind = TermKind::pointer;
     pointer.weight = model_.pointer.weight;

@@ -10,8 +10,12 @@
 namespace sturnus {
 namespace {
 
-Value number(double value) { return {value}; }
-Value word(std::string text) { return {std::move(text)}; }
+Value number(double value) {
+  return {value};
+}
+Value word(std::string text) {
+  return {std::move(text)};
+}
 Value place(const Coordinates& at) {
   Value::List list;
   for (const double coordinate : at) list.push_back({coordinate});
@@ -20,9 +24,12 @@ Value place(const Coordinates& at) {
 
 Value::List parts_of(const Command& command) {
   struct Parts {
-    Value::List operator()(const SetParameter& set) const { return {word("set"), word(set.path), parse_value(set.value)}; }
+    Value::List operator()(const SetParameter& set) const {
+      return {word("set"), word(set.path), parse_value(set.value)};
+    }
     Value::List operator()(const AddBoids& add) const {
-      return {word("add"), word(add.flock), number(static_cast<double>(add.count)), place(add.at), number(add.radius)};
+      return {word("add"), word(add.flock), number(static_cast<double>(add.count)), place(add.at),
+              number(add.radius)};
     }
     Value::List operator()(const EraseBoids& erase) const {
       return {word("erase"), place(erase.at), number(erase.radius)};
@@ -65,7 +72,8 @@ class Parts {
     for (const Value& item : *given) {
       const auto* coordinate = std::get_if<double>(&item.held);
       if (coordinate == nullptr) {
-        error_ = say("an event's ", what, " must be a list of numbers such as [0, 0], but is ", to_text(Value{*given}));
+        error_ = say("an event's ", what, " must be a list of numbers such as [0, 0], but is ",
+                     to_text(Value{*given}));
         return out;
       }
       out.push_back(*coordinate);
@@ -154,19 +162,21 @@ std::optional<std::string> check_place(const ScenarioDef& scenario, const Coordi
 }
 
 std::optional<std::string> check_radius(double radius) {
-  if (!(radius >= 0 && radius <= 1e15)) return say("the radius must not be negative or beyond 1e15, but is ", number_text(radius));
+  if (!(radius >= 0 && radius <= 1e15))
+    return say("the radius must not be negative or beyond 1e15, but is ", number_text(radius));
   return {};
 }
 
 bool fixed_while_running(std::string_view path) {
-  for (const char* fixed : {"format", "seed", "space.dimensions", "run.steps", "run.initial", "run.first_step", "run.resumed"}) {
+  for (const char* fixed :
+       {"format", "seed", "space.dimensions", "run.steps", "run.initial", "run.first_step", "run.resumed"}) {
     if (path == fixed) return true;
   }
   if (!path.starts_with("flock.")) return false;
   const auto dot = path.find('.', 6);
   const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
-  return rest == "name" || rest == "count" || rest == "start" || rest.starts_with("start.") || rest == "colour.start" ||
-         rest == "colour";
+  return rest == "name" || rest == "count" || rest == "start" || rest.starts_with("start.") ||
+         rest == "colour.start" || rest == "colour";
 }
 
 struct CommandCheck {
@@ -186,8 +196,10 @@ struct CommandCheck {
   Error operator()(const AddBoids& add) const {
     std::vector<std::string> names;
     for (const FlockDef& flock : scenario.flocks) names.push_back(flock.name);
-    if (std::find(names.begin(), names.end(), add.flock) == names.end()) return unknown_word("flock", add.flock, names);
-    if (add.count < 0 || add.count > 1000000000) return say("the count must be between 0 and 1e9, but is ", add.count);
+    if (std::find(names.begin(), names.end(), add.flock) == names.end())
+      return unknown_word("flock", add.flock, names);
+    if (add.count < 0 || add.count > 1000000000)
+      return say("the count must be between 0 and 1e9, but is ", add.count);
     if (auto error = check_radius(add.radius)) return error;
     return check_place(scenario, add.at, "place");
   }
@@ -212,13 +224,15 @@ Value to_value(const Event& event) {
 
 std::variant<Event, std::string> event_from(const Value& value) {
   const auto* list = std::get_if<Value::List>(&value.held);
-  if (list == nullptr) return say("an event is a list such as [120, \"set\", path, value], but found another value");
+  if (list == nullptr)
+    return say("an event is a list such as [120, \"set\", path, value], but found another value");
   Parts parts(*list);
   Event event;
   event.step = parts.whole("step");
   const std::string verb = parts.word("name");
   if (parts.error().empty()) event.command = command_from(verb, parts);
-  if (parts.error().empty() && !parts.at_end()) parts.fail(say("an event \"", verb, "\" has more parts than it should"));
+  if (parts.error().empty() && !parts.at_end())
+    parts.fail(say("an event \"", verb, "\" has more parts than it should"));
   if (!parts.error().empty()) return parts.error();
   return event;
 }

@@ -16,7 +16,8 @@ double per_boid_of(const Space& space) {
 Extent extent_of(const ScenarioDef& scenario) {
   const Space& space = scenario.space;
   if (!space.min.empty()) return {space.min, space.max};
-  const double content = per_boid_of(space) * static_cast<double>(std::max<std::int64_t>(1, scenario.boid_count()));
+  const double content =
+      per_boid_of(space) * static_cast<double>(std::max<std::int64_t>(1, scenario.boid_count()));
   const double half = 0.5 * (space.dimensions == 3 ? cube_root(content) : square_root(content));
   const auto axes = static_cast<std::size_t>(space.dimensions);
   return {Coordinates(axes, -half), Coordinates(axes, half)};

@@ -41,38 +41,59 @@ Items maybe(std::optional<Def>& item, void (*visit_item)(Def&, FieldVisitor&)) {
   return out;
 }
 
-Choice edge_choice(Edge& edge) { return choice(edge, {"open", "closed"}); }
-Choice strength_choice(Strength& strength) { return choice(strength, {"d", "1", "1/d"}); }
-Choice combine_choice(Combine& combine) { return choice(combine, {"sum", "mean"}); }
-Choice form_choice(SteeringForm& form) { return choice(form, {"heading", "seek", "linear"}); }
+Choice edge_choice(Edge& edge) {
+  return choice(edge, {"open", "closed"});
+}
+Choice strength_choice(Strength& strength) {
+  return choice(strength, {"d", "1", "1/d"});
+}
+Choice combine_choice(Combine& combine) {
+  return choice(combine, {"sum", "mean"});
+}
+Choice form_choice(SteeringForm& form) {
+  return choice(form, {"heading", "seek", "linear"});
+}
 
 constexpr About weight_about{"", "how much the term counts in the sum of accelerations", -1e9, 1e9};
-constexpr About field_of_view_about{"degrees", "full angle of sight around the heading; default: the flock's", 0, 360,
-                                    false, "v·o >= cos(half)·|v|·d", "quadtree project (S3-5)"};
-constexpr About priority_about{"", "order under arbitration budget and first, low numbers first", -1000000, 1000000,
-                               false, "", "VUW CGRA 354 (S2-30)"};
+constexpr About field_of_view_about{"degrees",
+                                    "full angle of sight around the heading; default: the flock's",
+                                    0,
+                                    360,
+                                    false,
+                                    "v·o >= cos(half)·|v|·d",
+                                    "quadtree project (S3-5)"};
+constexpr About priority_about{"",
+                               "order under arbitration budget and first, low numbers first",
+                               -1000000,
+                               1000000,
+                               false,
+                               "",
+                               "VUW CGRA 354 (S2-30)"};
 constexpr About on_about{"", "a switch that keeps the weight", 0, 1, false, "", "CS 184 (S4-21)"};
 
 // The keys that every term over neighbours has.
 template <class Term>
 void visit_reach(Term& term, const char* formula, const char* source, FieldVisitor& visitor) {
-  visitor.field("weight", &term.weight,
-                {weight_about.unit, weight_about.text, weight_about.low, weight_about.high, false, formula, source});
+  visitor.field(
+      "weight", &term.weight,
+      {weight_about.unit, weight_about.text, weight_about.low, weight_about.high, false, formula, source});
   visitor.field("radius", RingRef{&term.inner, &term.radius},
-                {"length", "how near a neighbour must be; or ring = [inner, outer], inner <= d < outer", 0, infinity,
-                 true, "inner <= d < outer", "CS 184 (S4-4)"});
+                {"length", "how near a neighbour must be; or ring = [inner, outer], inner <= d < outer", 0,
+                 infinity, true, "inner <= d < outer", "CS 184 (S4-4)"});
   visitor.field("edge", edge_choice(term.edge),
-                {"", "whether a neighbour exactly on the outer radius counts", 0, 0, false, "open: d < outer, closed: d <= outer",
-                 "prog06 (S1-6)"});
+                {"", "whether a neighbour exactly on the outer radius counts", 0, 0, false,
+                 "open: d < outer, closed: d <= outer", "prog06 (S1-6)"});
 }
 
 template <class Term>
 void visit_filters(Term& term, FieldVisitor& visitor) {
-  visitor.field("of", &term.of, {"", "whose members are looked at: \"own\", \"all\" or a list of flocks", 0, 0, false, "",
-                                 "VUW CGRA 354 (S2-18)"});
+  visitor.field("of", &term.of,
+                {"", "whose members are looked at: \"own\", \"all\" or a list of flocks", 0, 0, false, "",
+                 "VUW CGRA 354 (S2-18)"});
   visitor.field("field_of_view", &term.field_of_view, field_of_view_about);
   visitor.field("sample", &term.sample,
-                {"", "share of the neighbours that are looked at, by chance", 0, 1, false, "", "quadtree project (S3-6)"});
+                {"", "share of the neighbours that are looked at, by chance", 0, 1, false, "",
+                 "quadtree project (S3-6)"});
   visitor.field("priority", &term.priority, priority_about);
   visitor.field("on", &term.on, on_about);
 }
@@ -80,29 +101,32 @@ void visit_filters(Term& term, FieldVisitor& visitor) {
 void visit_separation(Separation& term, FieldVisitor& visitor) {
   visit_reach(term, "sum or mean of -(o/d)·s(d)", "UCSD (S0-5), prog06 (S1-6)", visitor);
   visitor.field("strength", strength_choice(term.strength),
-                {"", "one neighbour's push over its distance: \"d\" grows, \"1\" constant, \"1/d\" fades", 0, 0, false,
-                 "s(d)", "UCSD (S0-5), VUW CGRA 354 (S2-12)"});
-  visitor.field("combine", combine_choice(term.combine), {"", "sum over the neighbours or their mean", 0, 0, false, "",
-                                                          "UCSD (S0-5), VUW CGRA 354 (S2-12)"});
+                {"", "one neighbour's push over its distance: \"d\" grows, \"1\" constant, \"1/d\" fades", 0,
+                 0, false, "s(d)", "UCSD (S0-5), VUW CGRA 354 (S2-12)"});
+  visitor.field(
+      "combine", combine_choice(term.combine),
+      {"", "sum over the neighbours or their mean", 0, 0, false, "", "UCSD (S0-5), VUW CGRA 354 (S2-12)"});
   visit_filters(term, visitor);
 }
 
 void visit_alignment(Alignment& term, FieldVisitor& visitor) {
   visit_reach(term, "mean of v - own v", "UCSD (S0-7)", visitor);
-  visitor.field("match", choice(term.match, {"velocity", "heading"}),
-                {"", "what is averaged: velocities, or headings (unit velocities)", 0, 0, false, "", "CS 184 (S4-1)"});
+  visitor.field(
+      "match", choice(term.match, {"velocity", "heading"}),
+      {"", "what is averaged: velocities, or headings (unit velocities)", 0, 0, false, "", "CS 184 (S4-1)"});
   visitor.field("relative", &term.relative,
                 {"", "average minus own (true), or the average itself", 0, 1, false, "", "CS 184 (S4-1)"});
-  visitor.field("count_self", &term.count_self,
-                {"", "the boid is part of its own average", 0, 1, false, "(q + sum)/(n + 1)", "VUW CGRA 354 (S2-14)"});
+  visitor.field(
+      "count_self", &term.count_self,
+      {"", "the boid is part of its own average", 0, 1, false, "(q + sum)/(n + 1)", "VUW CGRA 354 (S2-14)"});
   visit_filters(term, visitor);
 }
 
 void visit_cohesion(Cohesion& term, FieldVisitor& visitor) {
   visit_reach(term, "mean of (o/d)·s(d)", "UCSD (S0-6)", visitor);
   visitor.field("strength", strength_choice(term.strength),
-                {"", "one neighbour's pull over its distance: \"d\" grows, \"1\" constant, \"1/d\" fades", 0, 0, false,
-                 "s(d)", "CS 184 (S4-2)"});
+                {"", "one neighbour's pull over its distance: \"d\" grows, \"1\" constant, \"1/d\" fades", 0,
+                 0, false, "s(d)", "CS 184 (S4-2)"});
   visitor.field("combine", combine_choice(term.combine), {"", "sum over the neighbours or their mean"});
   visitor.field("count_self", &term.count_self,
                 {"", "divide by n + 1 instead of n", 0, 1, false, "", "VUW CGRA 354 (S2-14)"});
@@ -110,12 +134,14 @@ void visit_cohesion(Cohesion& term, FieldVisitor& visitor) {
 }
 
 void visit_flee(Flee& term, FieldVisitor& visitor) {
-  visitor.field("from", &term.from, {"", "names of the flocks that are fled", 0, 0, false, "", "CS 184 (S4-17)"});
-  visitor.field("radius", &term.radius, {"length", "how far they are seen", 0, infinity, false, "", "CS 184 (S4-17)"});
+  visitor.field("from", &term.from,
+                {"", "names of the flocks that are fled", 0, 0, false, "", "CS 184 (S4-17)"});
+  visitor.field("radius", &term.radius,
+                {"length", "how far they are seen", 0, infinity, false, "", "CS 184 (S4-17)"});
   visitor.field("weight", &term.weight, weight_about);
   visitor.field("form", form_choice(term.form),
-                {"", "heading: unit(away) - heading; seek: full speed away - v; linear: the offset itself", 0, 0, false,
-                 "", "CS 184 (S4-11), VUW CGRA 354 (S2-19), quadtree project (S3-10)"});
+                {"", "heading: unit(away) - heading; seek: full speed away - v; linear: the offset itself", 0,
+                 0, false, "", "CS 184 (S4-11), VUW CGRA 354 (S2-19), quadtree project (S3-10)"});
   visitor.field("field_of_view", &term.field_of_view, field_of_view_about);
   visitor.field("priority", &term.priority, priority_about);
   visitor.field("on", &term.on, on_about);
@@ -131,21 +157,24 @@ void visit_cruise(Cruise& cruise, FieldVisitor& visitor) {
 }
 
 void visit_wander(Wander& wander, FieldVisitor& visitor) {
-  visitor.field("rate", &wander.rate, {"", "how far the sought direction strays in one step", 0, 1000, false,
-                                       "w <- unit(w + rate·u)", "Reynolds 1999"});
-  visitor.field("weight", &wander.weight, {"length per time squared", weight_about.text, -1e9, 1e9, false,
-                                           "weight·w", "Reynolds 1999"});
+  visitor.field("rate", &wander.rate,
+                {"", "how far the sought direction strays in one step", 0, 1000, false,
+                 "w <- unit(w + rate·u)", "Reynolds 1999"});
+  visitor.field(
+      "weight", &wander.weight,
+      {"length per time squared", weight_about.text, -1e9, 1e9, false, "weight·w", "Reynolds 1999"});
   visitor.field("priority", &wander.priority, priority_about);
   visitor.field("on", &wander.on, on_about);
 }
 
 void visit_noise(Noise& noise, FieldVisitor& visitor) {
   visitor.field("acceleration", &noise.acceleration,
-                {"length per time squared", "each component of a random acceleration lies in [-this, this]", 0, 1e9, false,
-                 "A·u, u uniform in [-1, 1]", "quadtree project (S3-7)"});
-  visitor.field("turn", &noise.turn,
-                {"degrees", "the heading turns by a random angle in [-turn/2, turn/2] after the velocity update", 0, 360,
-                 false, "", "Vicsek 1995"});
+                {"length per time squared", "each component of a random acceleration lies in [-this, this]",
+                 0, 1e9, false, "A·u, u uniform in [-1, 1]", "quadtree project (S3-7)"});
+  visitor.field(
+      "turn", &noise.turn,
+      {"degrees", "the heading turns by a random angle in [-turn/2, turn/2] after the velocity update", 0,
+       360, false, "", "Vicsek 1995"});
   visitor.field("priority", &noise.priority, priority_about);
   visitor.field("on", &noise.on, on_about);
 }
@@ -155,85 +184,110 @@ void visit_start(Start& start, FieldVisitor& visitor) {
                 {"", "where boids begin: anywhere in the space, a box, a ball, a ring"});
   visitor.field("min", CoordinatesRef{&start.min}, {"length", "box: lower corner"});
   visitor.field("max", CoordinatesRef{&start.max}, {"length", "box: upper corner"});
-  visitor.field("centre", CoordinatesRef{&start.centre}, {"length", "ball, ring: centre; default: the middle of the space"});
+  visitor.field("centre", CoordinatesRef{&start.centre},
+                {"length", "ball, ring: centre; default: the middle of the space"});
   visitor.field("radius", &start.radius, {"length", "ball, ring: outer radius", 0, infinity});
   visitor.field("inner", &start.inner, {"length", "ring: inner radius", 0, infinity});
   visitor.field("speed", Range{&start.min_speed, &start.max_speed},
-                {"length per time", "speeds at the start, uniform between the two", 0, infinity, false, "", "prog06 (S1-5)"});
-  visitor.field("heading", CoordinatesRef{&start.heading}, {"", "direction of all; default: each its own, at random"});
+                {"length per time", "speeds at the start, uniform between the two", 0, infinity, false, "",
+                 "prog06 (S1-5)"});
+  visitor.field("heading", CoordinatesRef{&start.heading},
+                {"", "direction of all; default: each its own, at random"});
   visitor.field("file", &start.file, {"", "state CSV that this flock's boids are taken from instead"});
 }
 
 void visit_colour(Colour& colour, FieldVisitor& visitor) {
   visitor.field("start", &colour.start,
-                {"", "\"#rrggbb\", \"random\", or empty for the next colour of the palette", 0, 0, false, "", "CS 184 (S4-9)"});
+                {"", "\"#rrggbb\", \"random\", or empty for the next colour of the palette", 0, 0, false, "",
+                 "CS 184 (S4-9)"});
   visitor.field("averaging", &colour.averaging,
                 {"", "share of the way to the neighbours' mean colour in one step", 0, 1, false,
                  "c <- clamp(c + averaging·(mean - c) + noise·u)", "CS 184 (S4-9)"});
-  visitor.field("noise", &colour.noise, {"", "each value moves by up to this much in one step", 0, 1, false, "", "CS 184 (S4-9)"});
+  visitor.field("noise", &colour.noise,
+                {"", "each value moves by up to this much in one step", 0, 1, false, "", "CS 184 (S4-9)"});
   visitor.field("of", &colour.of, {"", "whose colours are averaged: \"own\", \"all\" or a list of flocks"});
 }
 
 void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
   visitor.field("name", &flock.name, {"", "what paths, messages and other flocks call it"});
-  visitor.field("count", &flock.count, {"boids", "how many there are at the start", 0, 1e9, false, "", "prog06 (S1-5)"});
-  visitor.table("start", {"", "where boids begin and how fast"}, [&](FieldVisitor& inner) { visit_start(flock.start, inner); }, "region");
-  visitor.field("min_speed", &flock.min_speed, {"length per time", "least speed; a boid at rest stays at rest", 0, 1e15,
-                                                false, "", "UCSD (S0-10)"});
-  visitor.field("max_speed", &flock.max_speed, {"length per time", "largest speed", 0, 1e15, true, "", "UCSD (S0-10)"});
+  visitor.field("count", &flock.count,
+                {"boids", "how many there are at the start", 0, 1e9, false, "", "prog06 (S1-5)"});
+  visitor.table(
+      "start", {"", "where boids begin and how fast"},
+      [&](FieldVisitor& inner) { visit_start(flock.start, inner); }, "region");
+  visitor.field(
+      "min_speed", &flock.min_speed,
+      {"length per time", "least speed; a boid at rest stays at rest", 0, 1e15, false, "", "UCSD (S0-10)"});
+  visitor.field("max_speed", &flock.max_speed,
+                {"length per time", "largest speed", 0, 1e15, true, "", "UCSD (S0-10)"});
   visitor.field("max_acceleration", &flock.max_acceleration,
                 {"length per time squared", "cap on the length of the sum of all terms", 0, infinity, true,
                  "a·min(1, max/|a|)", "prog06 (S1-12)"});
   visitor.field("field_of_view", &flock.field_of_view,
                 {"degrees", "full angle of sight around the heading; 360 sees all round", 0, 360, false,
                  "v·o >= cos(half)·|v|·d", "quadtree project (S3-5)"});
-  visitor.field("arbitration", choice(flock.arbitration, {"weighted", "budget", "first"}),
-                {"", "how terms share the acceleration: weighted sum, budget by priority, or the first that is not zero", 0, 0,
-                 false, "", "VUW CGRA 354 (S2-30), Couzin 2002"});
-  visitor.items("separation", {"", "steer away from near neighbours"}, list_of(flock.separation, visit_separation));
+  visitor.field(
+      "arbitration", choice(flock.arbitration, {"weighted", "budget", "first"}),
+      {"",
+       "how terms share the acceleration: weighted sum, budget by priority, or the first that is not zero", 0,
+       0, false, "", "VUW CGRA 354 (S2-30), Couzin 2002"});
+  visitor.items("separation", {"", "steer away from near neighbours"},
+                list_of(flock.separation, visit_separation));
   visitor.items("alignment", {"", "steer toward the neighbours' average velocity or heading"},
                 list_of(flock.alignment, visit_alignment));
   visitor.items("cohesion", {"", "steer toward the neighbours"}, list_of(flock.cohesion, visit_cohesion));
   visitor.items("flee", {"", "steer away from other flocks in sight"}, list_of(flock.flee, visit_flee));
   visitor.items("cruise", {"", "keep a cruising speed"}, maybe(flock.cruise, visit_cruise));
-  visitor.items("wander", {"", "a bounded random walk of a sought direction"}, maybe(flock.wander, visit_wander));
+  visitor.items("wander", {"", "a bounded random walk of a sought direction"},
+                maybe(flock.wander, visit_wander));
   visitor.items("noise", {"", "random acceleration and turning"}, maybe(flock.noise, visit_noise));
-  visitor.table("colour", {"", "colours that drift toward the neighbours'"},
-                [&](FieldVisitor& inner) { visit_colour(flock.colour, inner); }, "start");
-  visitor.field("glyph", Choice{{"auto", "dart", "cone", "circle"},
-                                [&flock] { return flock.glyph ? static_cast<int>(*flock.glyph) + 1 : 0; },
-                                [&flock](int index) {
-                                  flock.glyph.reset();
-                                  if (index > 0) flock.glyph = static_cast<GlyphStyle>(index - 1);
-                                }},
-                {"", "how a boid is drawn; auto: a dart in 2D, a cone in 3D", 0, 0, false, "", "CS 184 (S4-32), prog06 (S1-16)"});
-  visitor.field("size", &flock.size, {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
+  visitor.table(
+      "colour", {"", "colours that drift toward the neighbours'"},
+      [&](FieldVisitor& inner) { visit_colour(flock.colour, inner); }, "start");
+  visitor.field("glyph",
+                Choice{{"auto", "dart", "cone", "circle"},
+                       [&flock] { return flock.glyph ? static_cast<int>(*flock.glyph) + 1 : 0; },
+                       [&flock](int index) {
+                         flock.glyph.reset();
+                         if (index > 0) flock.glyph = static_cast<GlyphStyle>(index - 1);
+                       }},
+                {"", "how a boid is drawn; auto: a dart in 2D, a cone in 3D", 0, 0, false, "",
+                 "CS 184 (S4-32), prog06 (S1-16)"});
+  visitor.field("size", &flock.size,
+                {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
 }
 
 void visit_boundary(Boundary& boundary, FieldVisitor& visitor) {
   visitor.field("kind", choice(boundary.kind, {"open", "wrap", "turn", "bounce"}),
                 {"", "nothing, come out at the other side, be turned back, or bounce", 0, 0, false, "",
                  "VUW CGRA 354 (S2-17), UCSD (S0-9)"});
-  visitor.field("margin", CoordinatesRef{&boundary.margin, true},
-                {"length", "turn: width of the strip along the edge, one for all axes or one for each; default 0", 0, infinity,
-                 false, "p < min + margin, p > max - margin", "UCSD (S0-9)"});
+  visitor.field(
+      "margin", CoordinatesRef{&boundary.margin, true},
+      {"length", "turn: width of the strip along the edge, one for all axes or one for each; default 0", 0,
+       infinity, false, "p < min + margin, p > max - margin", "UCSD (S0-9)"});
   visitor.field("strength", &boundary.strength,
-                {"length per time squared", "turn: acceleration inward while in the strip, after the cap", -infinity, infinity,
-                 false, "", "UCSD (S0-9), prog06 (S1-13)"});
+                {"length per time squared", "turn: acceleration inward while in the strip, after the cap",
+                 -infinity, infinity, false, "", "UCSD (S0-9), prog06 (S1-13)"});
 }
 
 void visit_space(Space& space, FieldVisitor& visitor) {
   visitor.field("dimensions", &space.dimensions, {"", "2 or 3", 2, 3});
-  visitor.field("min", CoordinatesRef{&space.min}, {"length", "lower corner; with max, or per_boid in place of both"});
+  visitor.field("min", CoordinatesRef{&space.min},
+                {"length", "lower corner; with max, or per_boid in place of both"});
   visitor.field("max", CoordinatesRef{&space.max}, {"length", "upper corner"});
   visitor.field("per_boid", &space.per_boid,
-                {"area or volume", "the space is a square or cube about the origin that grows with the number of boids; default: 10 by 10 (by 10) for each", 0, infinity});
-  visitor.table("boundary", {"", "what happens at the edge"},
-                [&](FieldVisitor& inner) { visit_boundary(space.boundary, inner); }, "kind");
+                {"area or volume",
+                 "the space is a square or cube about the origin that grows with the number of boids; "
+                 "default: 10 by 10 (by 10) for each",
+                 0, infinity});
+  visitor.table(
+      "boundary", {"", "what happens at the edge"},
+      [&](FieldVisitor& inner) { visit_boundary(space.boundary, inner); }, "kind");
 }
 
 void visit_time(Time& time, FieldVisitor& visitor) {
-  visitor.field("dt", &time.dt, {"time", "time units in a step", 0, infinity, false, "", "VUW CGRA 354 (S2-1)"});
+  visitor.field("dt", &time.dt,
+                {"time", "time units in a step", 0, infinity, false, "", "VUW CGRA 354 (S2-1)"});
   visitor.field("integrator", choice(time.integrator, {"semi-implicit-euler", "explicit-euler"}),
                 {"", "whether the new or the old velocity moves the boid", 0, 0, false,
                  "v' = v + dt·a; p' = p + dt·v' or p + dt·v", "UCSD (S0-2), VUW CGRA 354 (S2-1)"});
@@ -241,40 +295,57 @@ void visit_time(Time& time, FieldVisitor& visitor) {
 
 void visit_run(Run& run, FieldVisitor& visitor) {
   visitor.field("steps", &run.steps, {"steps", "length of the run when nobody says otherwise", 0, 1e15});
-  visitor.table("measure", {"", "when measures are taken"}, [&](FieldVisitor& inner) {
-    inner.field("every", &run.measure_every, {"steps", "steps between two lines of measures", 1, 1e15});
-    inner.field("link", &run.link, {"length", "boids this near belong to one cluster; 0: the largest finite radius", 0, infinity});
-  }, "every");
+  visitor.table(
+      "measure", {"", "when measures are taken"},
+      [&](FieldVisitor& inner) {
+        inner.field("every", &run.measure_every, {"steps", "steps between two lines of measures", 1, 1e15});
+        inner.field(
+            "link", &run.link,
+            {"length", "boids this near belong to one cluster; 0: the largest finite radius", 0, infinity});
+      },
+      "every");
   visitor.field("initial", &run.initial, {"", "state CSV with all boids, in place of every flock's start"});
-  visitor.field("first_step", &run.first_step, {"steps", "number of the step at which the start state stands", 0, 1e15});
-  visitor.field("resumed", &run.resumed, {"", "the state in initial was saved with the events of first_step already done"});
+  visitor.field("first_step", &run.first_step,
+                {"steps", "number of the step at which the start state stands", 0, 1e15});
+  visitor.field("resumed", &run.resumed,
+                {"", "the state in initial was saved with the events of first_step already done"});
 }
 
 void visit_index(Index& index, FieldVisitor& visitor) {
-  visitor.field("kind", choice(index.kind, {"grid", "tree", "all-pairs"}),
-                {"", "how neighbours are found; all find the same", 0, 0, false, "", "quadtree project (S3-12)"});
-  visitor.field("leaf_size", &index.leaf_size, {"boids", "tree: a node with more boids is divided", 1, 1e6, false, "",
-                                                "quadtree project (S3-12)"});
+  visitor.field(
+      "kind", choice(index.kind, {"grid", "tree", "all-pairs"}),
+      {"", "how neighbours are found; all find the same", 0, 0, false, "", "quadtree project (S3-12)"});
+  visitor.field(
+      "leaf_size", &index.leaf_size,
+      {"boids", "tree: a node with more boids is divided", 1, 1e6, false, "", "quadtree project (S3-12)"});
   visitor.field("depth_limit", &index.depth_limit, {"", "tree: but never deeper than this", 0, 40});
 }
 
 void visit_pointer(Pointer& pointer, FieldVisitor& visitor) {
   visitor.field("weight", &pointer.weight, weight_about);
-  visitor.field("radius", &pointer.radius, {"length", "who is farther from the pointer feels nothing", 0, infinity, true, "",
-                                            "quadtree project (S3-9)"});
-  visitor.field("form", form_choice(pointer.form),
-                {"", "heading: unit(o) - heading; seek: full speed toward it - v; linear: the offset o itself", 0, 0, false, "",
-                 "CS 184 (S4-12), VUW CGRA 354 (S2-19), quadtree project (S3-9)"});
+  visitor.field("radius", &pointer.radius,
+                {"length", "who is farther from the pointer feels nothing", 0, infinity, true, "",
+                 "quadtree project (S3-9)"});
+  visitor.field(
+      "form", form_choice(pointer.form),
+      {"", "heading: unit(o) - heading; seek: full speed toward it - v; linear: the offset o itself", 0, 0,
+       false, "", "CS 184 (S4-12), VUW CGRA 354 (S2-19), quadtree project (S3-9)"});
   visitor.field("priority", &pointer.priority, priority_about);
 }
 
 void visit_camera(CameraDef& camera, FieldVisitor& visitor) {
-  visitor.field("fit", choice(camera.fit, {"space", "flock"}), {"", "what the picture shows: the space, or where the boids are"});
-  visitor.field("room", &camera.room, {"", "2D: free room around what is shown, as a share of its size", 0, 100});
-  visitor.field("eye", CoordinatesRef{&camera.eye}, {"length", "3D: where the camera stands; default: a three-quarter view"});
-  visitor.field("target", CoordinatesRef{&camera.target}, {"length", "3D: what it looks at; default: the middle"});
-  visitor.field("field_of_view", &camera.field_of_view, {"degrees", "3D: vertical angle of the picture", 1, 170});
-  visitor.field("outline", &camera.outline, {"", "draw the edge of the space", 0, 1, false, "", "CS 184 (S4-19)"});
+  visitor.field("fit", choice(camera.fit, {"space", "flock"}),
+                {"", "what the picture shows: the space, or where the boids are"});
+  visitor.field("room", &camera.room,
+                {"", "2D: free room around what is shown, as a share of its size", 0, 100});
+  visitor.field("eye", CoordinatesRef{&camera.eye},
+                {"length", "3D: where the camera stands; default: a three-quarter view"});
+  visitor.field("target", CoordinatesRef{&camera.target},
+                {"length", "3D: what it looks at; default: the middle"});
+  visitor.field("field_of_view", &camera.field_of_view,
+                {"degrees", "3D: vertical angle of the picture", 1, 170});
+  visitor.field("outline", &camera.outline,
+                {"", "draw the edge of the space", 0, 1, false, "", "CS 184 (S4-19)"});
   visitor.field("trail", &camera.trail, {"steps", "how long a trail lasts", 1, 100000});
 }
 
@@ -288,12 +359,17 @@ void visit(ScenarioDef& scenario, FieldVisitor& visitor) {
   visitor.field("source", &scenario.source, {"", "where the rules and numbers come from"});
   visitor.field("seed", &scenario.seed, {"", "of all random streams", 0, 9007199254740992.0});
   visitor.table("space", {"", "the world"}, [&](FieldVisitor& inner) { visit_space(scenario.space, inner); });
-  visitor.table("time", {"", "the time step"}, [&](FieldVisitor& inner) { visit_time(scenario.time, inner); });
-  visitor.table("run", {"", "length, measures, events"}, [&](FieldVisitor& inner) { visit_run(scenario.run, inner); });
-  visitor.table("index", {"", "the neighbour index"}, [&](FieldVisitor& inner) { visit_index(scenario.index, inner); }, "kind");
+  visitor.table("time", {"", "the time step"},
+                [&](FieldVisitor& inner) { visit_time(scenario.time, inner); });
+  visitor.table("run", {"", "length, measures, events"},
+                [&](FieldVisitor& inner) { visit_run(scenario.run, inner); });
+  visitor.table(
+      "index", {"", "the neighbour index"}, [&](FieldVisitor& inner) { visit_index(scenario.index, inner); },
+      "kind");
   visitor.table("pointer", {"", "the mouse, or any point moved by hand"},
                 [&](FieldVisitor& inner) { visit_pointer(scenario.pointer, inner); });
-  visitor.table("camera", {"", "what pictures show"}, [&](FieldVisitor& inner) { visit_camera(scenario.camera, inner); });
+  visitor.table("camera", {"", "what pictures show"},
+                [&](FieldVisitor& inner) { visit_camera(scenario.camera, inner); });
   Items flocks = list_of(scenario.flocks, visit_flock);
   flocks.name = [&scenario](std::size_t i) { return scenario.flocks[i].name; };
   visitor.items("flock", {"", "a kind of boid"}, flocks);

@@ -19,9 +19,9 @@ struct NeighbourRow {
   float outer_squared = 0;              ///< d² < outer²; a closed edge is the next float
   float cos_half_view = -1;
   bool sees_all = true;
-  bool whole_population = false;  ///< totals minus self, no ring
-  std::uint32_t sample_below = 0; ///< a neighbour counts when its hash lies below; 0: all count
-  std::uint64_t flocks = 0;       ///< a bit for every flock that is looked at
+  bool whole_population = false;   ///< totals minus self, no ring
+  std::uint32_t sample_below = 0;  ///< a neighbour counts when its hash lies below; 0: all count
+  std::uint64_t flocks = 0;        ///< a bit for every flock that is looked at
 };
 
 enum class TermKind { separation, alignment, cohesion, flee, cruise, wander, noise, pointer, custom };

@@ -57,7 +57,8 @@ class PathWalker : public FieldVisitor {
     const bool is_ring = head == "ring" && std::holds_alternative<RingRef>(place);
     if (found_ || (head != key && !is_ring)) return;
     found_ = true;
-    error_ = rest.empty() ? use_(place, about) : say("\"", key, "\" has no parts, but the path goes on with \"", rest, "\"");
+    error_ = rest.empty() ? use_(place, about)
+                          : say("\"", key, "\" has no parts, but the path goes on with \"", rest, "\"");
   }
 
   void table(std::string_view key, const About&, const std::function<void(FieldVisitor&)>& visit_inside,
@@ -86,8 +87,8 @@ class PathWalker : public FieldVisitor {
     if (*index >= items.size() || (items.size() > 1 && after.data() == rest.data())) {
       found_ = true;
       error_ = items.size() == 0 ? say("there is no ", key, " here")
-                                 : say("there are ", items.size(), " tables \"", key, "\" here; write ", key, ".0 to ", key, ".",
-                                       items.size() - 1);
+                                 : say("there are ", items.size(), " tables \"", key, "\" here; write ", key,
+                                       ".0 to ", key, ".", items.size() - 1);
       return;
     }
     enter(after, key, [&](FieldVisitor& inner) { items.visit(*index, inner); });
@@ -104,20 +105,23 @@ class PathWalker : public FieldVisitor {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < items.size(); ++i) {
       names.push_back(items.name(i));
-      if (names.back() == name) return enter(after, name, [&](FieldVisitor& inner) { items.visit(i, inner); });
+      if (names.back() == name)
+        return enter(after, name, [&](FieldVisitor& inner) { items.visit(i, inner); });
     }
     found_ = true;
     error_ = unknown_word(key, name, names);
   }
 
-  void enter(std::string_view rest, std::string_view name, const std::function<void(FieldVisitor&)>& visit_inside) {
+  void enter(std::string_view rest, std::string_view name,
+             const std::function<void(FieldVisitor&)>& visit_inside) {
     PathWalker inner(rest, new_order_, use_);
     visit_inside(inner);
     found_ = true;
     if (inner.found()) {
       error_ = inner.error();
     } else if (rest.empty()) {
-      error_ = say("\"", name, "\" is a table; name one of its keys, such as ", name, ".", inner.known().front());
+      error_ =
+          say("\"", name, "\" is a table; name one of its keys, such as ", name, ".", inner.known().front());
     } else {
       error_ = unknown_word("key", inner.head(), inner.known());
     }

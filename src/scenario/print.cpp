@@ -93,7 +93,8 @@ class TomlPrinter : public FieldVisitor {
   }
 
   void sort() {
-    std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.order < b.order; });
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [](const Entry& a, const Entry& b) { return a.order < b.order; });
   }
 
   std::vector<Entry> entries_;
@@ -104,7 +105,8 @@ class TomlPrinter : public FieldVisitor {
 
 std::string to_toml(const ScenarioDef& scenario) {
   ScenarioDef copy = scenario;  // visiting hands out places to write to
-  copy.space.per_boid = scenario.space.min.empty() ? std::optional(per_boid_of(scenario.space)) : std::nullopt;
+  copy.space.per_boid =
+      scenario.space.min.empty() ? std::optional(per_boid_of(scenario.space)) : std::nullopt;
   TomlPrinter printer;
   visit(copy, printer);
   std::string out = printer.all();

@@ -81,7 +81,8 @@ class TableReader : public FieldVisitor {
     remember(*node, key);
     const std::string path = prefix_ + std::string(key);
     const auto value = value_of(*node);
-    if (!value) return reading_.say_error(*node, path, say("must be ", kind_of(place), ", but found a table or date"));
+    if (!value)
+      return reading_.say_error(*node, path, say("must be ", kind_of(place), ", but found a table or date"));
     if (const auto error = assign(place, *value, about)) reading_.say_error(*node, path, *error);
   }
 
@@ -121,7 +122,8 @@ class TableReader : public FieldVisitor {
       if (items.name) {
         read_flock(*tables[i], i, items);
       } else {
-        read_item(*tables[i], tables.size() == 1 ? say(prefix_, key, ".") : say(prefix_, key, ".", i, "."), i, items);
+        read_item(*tables[i], tables.size() == 1 ? say(prefix_, key, ".") : say(prefix_, key, ".", i, "."), i,
+                  items);
       }
     }
   }
@@ -146,10 +148,12 @@ class TableReader : public FieldVisitor {
   }
 
   bool names_a_term() const {
-    return table_ != nullptr && (table_->contains("separation") || table_->contains("alignment") || table_->contains("cohesion"));
+    return table_ != nullptr &&
+           (table_->contains("separation") || table_->contains("alignment") || table_->contains("cohesion"));
   }
 
-  bool tables_in(const toml::node& node, std::string_view key, bool at_most_one, std::vector<const toml::table*>& out) {
+  bool tables_in(const toml::node& node, std::string_view key, bool at_most_one,
+                 std::vector<const toml::table*>& out) {
     if (const auto* single = node.as_table()) {
       out.push_back(single);
       return true;
@@ -172,7 +176,8 @@ class TableReader : public FieldVisitor {
     items.visit(i, inner);
     inner.finish();
     const auto begin = table.source().begin;
-    if (items.order) *items.order(i) = static_cast<int>(begin.line * 1000 + std::min<unsigned>(begin.column, 999));
+    if (items.order)
+      *items.order(i) = static_cast<int>(begin.line * 1000 + std::min<unsigned>(begin.column, 999));
   }
 
   void read_flock(const toml::table& table, std::size_t i, const Items& items) {
@@ -192,7 +197,8 @@ class TableReader : public FieldVisitor {
   void copy_like(const toml::table& table, std::size_t i) {
     auto& flocks = reading_.scenario.flocks;
     if (!table.get("like")->is_string()) {
-      return reading_.say_error(*table.get("like"), "flock.like", "must be text, the name of an earlier flock");
+      return reading_.say_error(*table.get("like"), "flock.like",
+                                "must be text, the name of an earlier flock");
     }
     const std::string like = table["like"].value_or(std::string());
     std::vector<std::string> earlier;
@@ -202,8 +208,7 @@ class TableReader : public FieldVisitor {
       flocks[i] = flocks[j];
       return;
     }
-    reading_.say_error(*table.get("like"), "flock.like",
-                       unknown_word("earlier flock", like, earlier));
+    reading_.say_error(*table.get("like"), "flock.like", unknown_word("earlier flock", like, earlier));
   }
 
   const toml::table* table_ = nullptr;
@@ -220,12 +225,15 @@ void read_events(const toml::table& root, Reading& reading) {
   if (node == nullptr) return;
   reading.lines["run.events"] = Reading::line_of(*node);
   const auto* array = node->as_array();
-  if (array == nullptr) return reading.say_error(*node, "run.events", "must be a list of events such as [[120, \"set\", path, value]]");
+  if (array == nullptr)
+    return reading.say_error(*node, "run.events",
+                             "must be a list of events such as [[120, \"set\", path, value]]");
   std::vector<std::pair<Event, int>> found;  // with their lines
   for (const toml::node& item : *array) {
     const auto value = value_of(item);
     if (!value) {
-      reading.say_error(item, "run.events", "an event holds numbers, texts and lists, but found a table or date");
+      reading.say_error(item, "run.events",
+                        "an event holds numbers, texts and lists, but found a table or date");
       continue;
     }
     auto event = event_from(*value);
@@ -249,7 +257,9 @@ void read_root(const toml::table& root, Reading& reading) {
   reader.finish();
   read_events(root, reading);
   if (!root.contains("flock")) {
-    reading.problems.push_back({reading.file, 0, "flock", "the file has no [[flock]]; the shortest scenario is [[flock]] with count = 300", false});
+    reading.problems.push_back(
+        {reading.file, 0, "flock",
+         "the file has no [[flock]]; the shortest scenario is [[flock]] with count = 300", false});
   }
 }
 
@@ -295,7 +305,8 @@ Result<ScenarioDef> parse_scenario(const std::string& text, const std::string& f
       reading.problems.push_back(std::move(problem));
     }
   }
-  if (problems != nullptr) problems->insert(problems->end(), reading.problems.begin(), reading.problems.end());
+  if (problems != nullptr)
+    problems->insert(problems->end(), reading.problems.begin(), reading.problems.end());
   if (!has_errors(reading.problems)) return std::move(reading.scenario);
   return std::move(reading.problems);
 }

@@ -132,11 +132,13 @@ Value parse_nested(std::string_view text, int depth) {
   if (text == "true") return {true};
   if (text == "false") return {false};
   if (const auto number = number_in(text)) return {*number};
-  if (is_quoted(text)) return {text.front() == '"' ? unescaped(text.substr(1, text.size() - 2))
-                                                   : std::string(text.substr(1, text.size() - 2))};
+  if (is_quoted(text))
+    return {text.front() == '"' ? unescaped(text.substr(1, text.size() - 2))
+                                : std::string(text.substr(1, text.size() - 2))};
   if (depth < deepest_list && text.size() >= 2 && text.front() == '[' && text.back() == ']') {
     Value::List list;
-    for (const auto item : list_items(text.substr(1, text.size() - 2))) list.push_back(parse_nested(item, depth + 1));
+    for (const auto item : list_items(text.substr(1, text.size() - 2)))
+      list.push_back(parse_nested(item, depth + 1));
     return {list};
   }
   return {std::string(text)};
@@ -144,7 +146,9 @@ Value parse_nested(std::string_view text, int depth) {
 
 }  // namespace
 
-Value parse_value(std::string_view text) { return parse_nested(text, 0); }
+Value parse_value(std::string_view text) {
+  return parse_nested(text, 0);
+}
 
 std::string number_text(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

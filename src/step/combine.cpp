@@ -1,4 +1,5 @@
-// From sums over neighbours to one acceleration: every term, its weight, the arbitration, the turn at the edge.
+// From sums over neighbours to one acceleration: every term, its weight, the arbitration, the turn at the
+// edge.
 #include "rules/rules.h"
 #include "step/step.h"
 #include "world/columns.h"
@@ -11,7 +12,11 @@ template <int D>
 class Steering {
  public:
   Steering(const Model& model, State& state, const Scratch& scratch)
-      : model_(model), state_(state), scratch_(scratch), image_(image_of(model)), moment_{model.seed, state.step} {}
+      : model_(model),
+        state_(state),
+        scratch_(scratch),
+        image_(image_of(model)),
+        moment_{model.seed, state.step} {}
 
   Vec<D> acceleration(std::size_t i) {
     const FlockModel& flock = model_.flocks[state_.flock[i]];
@@ -29,16 +34,24 @@ class Steering {
     const auto row = static_cast<std::size_t>(term.row);
     const NeighbourSum* sums = scratch_.sums.data() + i * model_.most_rows;
     switch (term.kind) {
-      case TermKind::separation: return separation<D>(term, sums[row]);
-      case TermKind::alignment: return alignment<D>(term, sums[row], self);
-      case TermKind::cohesion: return cohesion<D>(term, sums[row]);
-      case TermKind::flee: return flee<D>(term, sums[row], self, flock.max_speed);
-      case TermKind::cruise: return cruise<D>(term, self);
-      case TermKind::wander: return wander(term, self, i);
-      case TermKind::noise: return noise_acceleration<D>(term, self, moment_);
+      case TermKind::separation:
+        return separation<D>(term, sums[row]);
+      case TermKind::alignment:
+        return alignment<D>(term, sums[row], self);
+      case TermKind::cohesion:
+        return cohesion<D>(term, sums[row]);
+      case TermKind::flee:
+        return flee<D>(term, sums[row], self, flock.max_speed);
+      case TermKind::cruise:
+        return cruise<D>(term, self);
+      case TermKind::wander:
+        return wander(term, self, i);
+      case TermKind::noise:
+        return noise_acceleration<D>(term, self, moment_);
       case TermKind::pointer:
         return pointer_pull<D>(model_.pointer, state_.pointer, self, image_, flock.max_speed);
-      case TermKind::custom: return at<D>(scratch_.custom[row], i);
+      case TermKind::custom:
+        return at<D>(scratch_.custom[row], i);
     }
     return {};
   }
@@ -75,8 +88,9 @@ void drift_colours(const Model& model, State& state, Scratch& scratch, const Wor
       Vec<3> colour = at<3>(state.colour, i);
       if (state.quarantined[i] == 0) {
         const NeighbourSum* sum =
-            flock.colour_row < 0 ? nullptr
-                                 : &scratch.sums[i * model.most_rows + static_cast<std::size_t>(flock.colour_row)];
+            flock.colour_row < 0
+                ? nullptr
+                : &scratch.sums[i * model.most_rows + static_cast<std::size_t>(flock.colour_row)];
         colour = drifted_colour(flock, colour, sum, state.id[i], {model.seed, state.step});
       }
       put(scratch.next_colour, i, colour);

@@ -36,7 +36,8 @@ void quarantine(const Model& model, State& state) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
       state.velocity[axis][i] = 0;
       // No earlier place is known here: what is bad becomes the middle of the space.
-      if (!is_sound(state.position[axis][i])) state.position[axis][i] = model.min[axis] + 0.5f * model.size[axis];
+      if (!is_sound(state.position[axis][i]))
+        state.position[axis][i] = model.min[axis] + 0.5f * model.size[axis];
     }
   }
 }

@@ -1,4 +1,5 @@
-// Working memory of a step: may be thrown away or filled with garbage before any step without changing one bit.
+// Working memory of a step: may be thrown away or filled with garbage before any step without changing one
+// bit.
 #pragma once
 
 #include <sturnus/simulation.h>
@@ -14,9 +15,9 @@ struct Scratch {
   Columns heading;
   std::vector<Totals> totals;
   std::vector<NeighbourSum> sums;
-  Columns acceleration;                  ///< with the boundary's turn, before the time step
+  Columns acceleration;  ///< with the boundary's turn, before the time step
   Columns next_colour;
-  std::vector<Columns> custom;           ///< what each user rule asks for
+  std::vector<Columns> custom;                   ///< what each user rule asks for
   Columns previous_position, previous_velocity;  ///< before the last step, for observers
 };
 

@@ -24,7 +24,8 @@ struct Logged {
 constexpr const char* external_name = "external";
 
 // Whether what happened in one log before a step is just the first `count` events of another.
-bool same_past(const std::vector<Logged>& one, const std::vector<Logged>& other, std::size_t count, std::uint64_t step) {
+bool same_past(const std::vector<Logged>& one, const std::vector<Logged>& other, std::size_t count,
+               std::uint64_t step) {
   if (one.size() < count || (one.size() > count && one[count].event.step < step)) return false;
   for (std::size_t i = 0; i < count; ++i) {
     if (to_text(to_value(one[i].event)) != to_text(to_value(other[i].event))) return false;
@@ -42,20 +43,23 @@ struct Snapshot::Data {
   StepReport report;
 };
 
-std::uint64_t Snapshot::step() const { return data_ ? data_->state.step : 0; }
+std::uint64_t Snapshot::step() const {
+  return data_ ? data_->state.step : 0;
+}
 
 Accelerations::Accelerations(Columns& columns, std::size_t slots) : columns_(&columns), size_(slots) {}
 
 void Accelerations::add(std::size_t slot, float x, float y, float z) {
   assert(slot < size_);
   const std::array<float, 3> given = {x, y, z};
-  for (std::size_t axis = 0; axis < 3 && !(*columns_)[axis].empty(); ++axis) (*columns_)[axis][slot] += given[axis];
+  for (std::size_t axis = 0; axis < 3 && !(*columns_)[axis].empty(); ++axis)
+    (*columns_)[axis][slot] += given[axis];
 }
 
 struct Simulation::World {
-  ScenarioDef initial;  ///< as it began, without events
-  ScenarioDef scenario; ///< as it stands
-  Model model;          ///< as compiled, with the user's rules among its terms
+  ScenarioDef initial;   ///< as it began, without events
+  ScenarioDef scenario;  ///< as it stands
+  Model model;           ///< as compiled, with the user's rules among its terms
   State state;
   Scratch scratch;
   Workers workers;
@@ -65,7 +69,8 @@ struct Simulation::World {
   std::size_t done = 0;                                     ///< how many of them are carried out
   StepReport report;
 
-  explicit World(const ScenarioDef& def, int threads) : initial(def), scenario(def), model(compile(def)), workers(threads) {
+  explicit World(const ScenarioDef& def, int threads)
+      : initial(def), scenario(def), model(compile(def)), workers(threads) {
     for (const Event& event : def.run.events) log.push_back({event, false});
     initial.run.events.clear();
     scenario.run.events.clear();
@@ -88,7 +93,8 @@ struct Simulation::World {
     const bool changes_model = std::holds_alternative<SetParameter>(command);
     if (!apply(command, scenario, model, state)) ++report.commands_in_vain;
     if (changes_model) add_custom_terms();
-    if (std::holds_alternative<AddBoids>(command) || std::holds_alternative<EraseBoids>(command)) outside.external = {};
+    if (std::holds_alternative<AddBoids>(command) || std::holds_alternative<EraseBoids>(command))
+      outside.external = {};
     if (!changes_model && !std::holds_alternative<MovePointer>(command)) forget_last_step();
   }
 
@@ -100,11 +106,12 @@ struct Simulation::World {
 
   // Does every logged event whose step has come.
   void do_events() {
-    for (; done < log.size() && log[done].event.step <= state.step; ++done) carry_out(log[done].event.command);
+    for (; done < log.size() && log[done].event.step <= state.step; ++done)
+      carry_out(log[done].event.command);
   }
 
-  // A state that was saved has what events did to its boids; parameters and the pointer are set again, and what is
-  // past leaves the log: from here on it is part of how the run began.
+  // A state that was saved has what events did to its boids; parameters and the pointer are set again, and
+  // what is past leaves the log: from here on it is part of how the run began.
   void settle_past() {
     const auto first = static_cast<std::uint64_t>(initial.run.first_step);
     const auto is_past = [&](const Event& event) {
@@ -129,7 +136,8 @@ struct Simulation::World {
 
   void record(const Command& command) {
     const auto is_later_by_hand = [](const Logged& logged) { return logged.by_hand; };
-    log.erase(std::remove_if(log.begin() + static_cast<std::ptrdiff_t>(done), log.end(), is_later_by_hand), log.end());
+    log.erase(std::remove_if(log.begin() + static_cast<std::ptrdiff_t>(done), log.end(), is_later_by_hand),
+              log.end());
     log.insert(log.begin() + static_cast<std::ptrdiff_t>(done), {{state.step, command}, true});
     ++done;
   }
@@ -146,15 +154,17 @@ const State* table_of(const SimulationOptions& options, const ScenarioDef& scena
   }
   if (found->second.dimensions != scenario.space.dimensions) {
     problems.push_back({scenario.file, 0, key,
-                        say("\"", file, "\" holds boids in ", found->second.dimensions, " dimensions, but the space has ",
-                            scenario.space.dimensions), false});
+                        say("\"", file, "\" holds boids in ", found->second.dimensions,
+                            " dimensions, but the space has ", scenario.space.dimensions),
+                        false});
     return nullptr;
   }
   for (const std::uint8_t flock : found->second.flock) {
     if (flock < scenario.flocks.size()) continue;
     problems.push_back({scenario.file, 0, key,
-                        say("\"", file, "\" holds a boid of flock ", int{flock}, ", but there are only ", scenario.flocks.size(),
-                            " flocks, numbered from 0"), false});
+                        say("\"", file, "\" holds a boid of flock ", int{flock}, ", but there are only ",
+                            scenario.flocks.size(), " flocks, numbered from 0"),
+                        false});
     return nullptr;
   }
   return &found->second;
@@ -164,8 +174,8 @@ const State* table_of(const SimulationOptions& options, const ScenarioDef& scena
 std::string too_many(double boids) {
   if (bytes_needed(boids) <= 0.9 * bytes_available()) return {};
   const auto gigabytes = [](double bytes) { return static_cast<std::int64_t>(bytes / 1e9 + 0.5); };
-  return say(static_cast<std::int64_t>(boids), " boids need about ", gigabytes(bytes_needed(boids)), " GB of memory, but this machine has ",
-             gigabytes(bytes_available()), " GB");
+  return say(static_cast<std::int64_t>(boids), " boids need about ", gigabytes(bytes_needed(boids)),
+             " GB of memory, but this machine has ", gigabytes(bytes_available()), " GB");
 }
 
 void check_memory(const ScenarioDef& scenario, Problems& problems) {
@@ -194,7 +204,8 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   if (has_errors(problems)) return problems;
   problems.clear();
   const Run& run = scenario.run;
-  const State* all = run.initial.empty() ? nullptr : table_of(options, scenario, run.initial, "run.initial", problems);
+  const State* all =
+      run.initial.empty() ? nullptr : table_of(options, scenario, run.initial, "run.initial", problems);
   check_memory(scenario, problems);
   if (!problems.empty()) return problems;
 
@@ -209,7 +220,9 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
     const std::string& file = scenario.flocks[i].start.file;
     if (file.empty()) {
       spawn_flock(scenario, world->model, i, world->state);
-    } else if (const State* some = table_of(options, scenario, file, say("flock.", scenario.flocks[i].name, ".start.file"), problems)) {
+    } else if (const State* some =
+                   table_of(options, scenario, file, say("flock.", scenario.flocks[i].name, ".start.file"),
+                            problems)) {
       append_boids(scenario, world->model, *some, static_cast<int>(i), world->state);
     }
   }
@@ -254,14 +267,23 @@ Status Simulation::push(const Command& command) {
 }
 
 View Simulation::view() const {
-  return {world_->state, world_->scenario, world_->scratch.previous_position, world_->scratch.previous_velocity};
+  return {world_->state, world_->scenario, world_->scratch.previous_position,
+          world_->scratch.previous_velocity};
 }
 
-std::uint64_t Simulation::hash() const { return sturnus::hash(world_->state); }
-std::uint64_t Simulation::step_number() const { return world_->state.step; }
-const ScenarioDef& Simulation::scenario() const { return world_->scenario; }
+std::uint64_t Simulation::hash() const {
+  return sturnus::hash(world_->state);
+}
+std::uint64_t Simulation::step_number() const {
+  return world_->state.step;
+}
+const ScenarioDef& Simulation::scenario() const {
+  return world_->scenario;
+}
 
-int Simulation::threads() const { return world_->workers.count(); }
+int Simulation::threads() const {
+  return world_->workers.count();
+}
 
 StepReport Simulation::report() const {
   StepReport report = world_->report;
@@ -286,8 +308,8 @@ void Simulation::restore(const Snapshot& snapshot) {
   const FloatSettings settings;
   World& world = *world_;
   const Snapshot::Data& data = *snapshot.data_;
-  // What came after this moment is kept for replay where the world lived through it; where it lived through another
-  // past, the snapshot's own future holds.
+  // What came after this moment is kept for replay where the world lived through it; where it lived through
+  // another past, the snapshot's own future holds.
   if (!same_past(world.log, data.log, data.done, data.state.step)) world.log = data.log;
   world.scenario = data.scenario;
   world.model = compile(world.scenario);
@@ -327,6 +349,8 @@ std::vector<std::array<std::array<float, 3>, 2>> Simulation::index_boxes() const
   return out;
 }
 
-void Simulation::poison_scratch() { poison(world_->scratch); }
+void Simulation::poison_scratch() {
+  poison(world_->scratch);
+}
 
 }  // namespace sturnus

@@ -9,7 +9,8 @@ namespace {
 
 std::array<const float*, 3> pointers(const Columns& columns) {
   std::array<const float*, 3> out{};
-  for (std::size_t axis = 0; axis < 3; ++axis) out[axis] = columns[axis].empty() ? nullptr : columns[axis].data();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out[axis] = columns[axis].empty() ? nullptr : columns[axis].data();
   return out;
 }
 
@@ -103,8 +104,8 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
   reorder(state, scratch.order);
 }
 
-void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch, const Outside& outside,
-          const Workers& workers) {
+void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
+          const Outside& outside, const Workers& workers) {
   quarantine(model, state);
   sort_by_place(model, state, scratch, workers);
   model.dimensions == 3 ? sum_neighbours<3>(model, state, scratch, workers)

@@ -7,8 +7,8 @@
 namespace sturnus {
 
 /// Moves the state on by one time step.
-void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch, const Outside& outside,
-          const Workers& workers);
+void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
+          const Outside& outside, const Workers& workers);
 
 /// Puts boids with values that are not finite or beyond 1e15 out of play: at rest, where they last were well.
 void quarantine(const Model& model, State& state);

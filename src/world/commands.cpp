@@ -72,7 +72,8 @@ struct Applier {
 
   bool operator()(const MovePointer& pointer) const {
     // Released, it has no mode: events write it as "off".
-    state.pointer = {pointer.pressed ? pointer.mode : PointerMode::attract, pointer.pressed, floats(pointer.at)};
+    state.pointer = {pointer.pressed ? pointer.mode : PointerMode::attract, pointer.pressed,
+                     floats(pointer.at)};
     if (!model.wraps()) return true;
     for (std::size_t axis = 0; axis < pointer.at.size(); ++axis) {
       state.pointer.at[axis] = wrapped(state.pointer.at[axis], model.min[axis], model.max[axis]);

@@ -35,8 +35,8 @@ Vec<D> in_box(const Vec<D>& min, const Vec<D>& max, Draws& draws) {
   return at;
 }
 
-// In the ball, or outside its inner radius, by rejection; a thin ring, which would reject nearly all, is drawn along
-// its circle.
+// In the ball, or outside its inner radius, by rejection; a thin ring, which would reject nearly all, is
+// drawn along its circle.
 template <int D>
 Vec<D> in_ring(const Vec<D>& centre, float inner, float outer, Draws& draws) {
   if (inner > 0.95f * outer) {
@@ -54,10 +54,14 @@ Vec<D> start_position(const Start& start, const Model& model, Draws& draws) {
   const auto centre = vec_of<D>(start.centre, middle(model));
   const auto radius = static_cast<float>(start.radius);
   switch (start.region) {
-    case StartRegion::space: return in_box(vec_of<D>({}, model.min), vec_of<D>({}, model.max), draws);
-    case StartRegion::box: return in_box(vec_of<D>(start.min, {}), vec_of<D>(start.max, {}), draws);
-    case StartRegion::ball: return in_ring(centre, 0, radius, draws);
-    case StartRegion::ring: return in_ring(centre, static_cast<float>(start.inner), radius, draws);
+    case StartRegion::space:
+      return in_box(vec_of<D>({}, model.min), vec_of<D>({}, model.max), draws);
+    case StartRegion::box:
+      return in_box(vec_of<D>(start.min, {}), vec_of<D>(start.max, {}), draws);
+    case StartRegion::ball:
+      return in_ring(centre, 0, radius, draws);
+    case StartRegion::ring:
+      return in_ring(centre, static_cast<float>(start.inner), radius, draws);
   }
   return centre;
 }
@@ -75,7 +79,8 @@ void push(Columns& columns, const Vec<D>& v) {
 }
 
 // The colours a flock takes when it names none; safe for colour-blind eyes (Okabe and Ito).
-constexpr std::array<const char*, 6> palette = {"#56b4e9", "#e69f00", "#009e73", "#f0e442", "#cc79a7", "#0072b2"};
+constexpr std::array<const char*, 6> palette = {"#56b4e9", "#e69f00", "#009e73",
+                                                "#f0e442", "#cc79a7", "#0072b2"};
 
 // A bright colour of any hue: one channel full, one dark, one in between.
 Vec<3> random_colour(Draws& draws) {
@@ -99,7 +104,8 @@ Vec<3> start_colour(const Colour& colour, std::size_t flock, Draws& draws) {
 
 // What a boid has besides place and velocity, where the state keeps it at all.
 template <int D>
-void push_sides(const ScenarioDef& scenario, const Model& model, std::size_t flock, std::uint64_t id, State& state) {
+void push_sides(const ScenarioDef& scenario, const Model& model, std::size_t flock, std::uint64_t id,
+                State& state) {
   if (model.uses_wander) {
     Draws draws(model.seed, state.step, id, Stream::start_wander);
     push(state.wander, draws.direction<D>());
@@ -160,7 +166,8 @@ void copy_back(Columns& to, const Columns& from, std::size_t i) {
 }
 
 template <int D>
-void append_boids_in(const ScenarioDef& scenario, const Model& model, const State& from, int flock, State& state) {
+void append_boids_in(const ScenarioDef& scenario, const Model& model, const State& from, int flock,
+                     State& state) {
   std::unordered_set<std::uint64_t> taken(state.id.begin(), state.id.end());
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (flock >= 0 && from.flock[i] != flock) continue;
@@ -190,7 +197,8 @@ void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoid
                         : spawn_around_in<2>(scenario, model, add, state);
 }
 
-void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock, State& state) {
+void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock,
+                  State& state) {
   model.dimensions == 3 ? append_boids_in<3>(scenario, model, from, flock, state)
                         : append_boids_in<2>(scenario, model, from, flock, state);
 }
@@ -198,7 +206,8 @@ void append_boids(const ScenarioDef& scenario, const Model& model, const State& 
 void wrap_positions(const Model& model, State& state) {
   if (!model.wraps()) return;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimensions); ++axis) {
-    for (float& coordinate : state.position[axis]) coordinate = wrapped(coordinate, model.min[axis], model.max[axis]);
+    for (float& coordinate : state.position[axis])
+      coordinate = wrapped(coordinate, model.min[axis], model.max[axis]);
   }
 }
 

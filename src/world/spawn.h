@@ -15,7 +15,8 @@ void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoid
 
 /// Appends the boids of another state that belong to `flock`; all flocks when it is -1. Ids that are taken
 /// are replaced by new ones; wander and colour are filled in where the other state lacks them.
-void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock, State& state);
+void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock,
+                  State& state);
 
 /// Brings every boid into a wrapped space.
 void wrap_positions(const Model& model, State& state);

@@ -39,7 +39,8 @@ std::uint64_t hash(const State& state) {
     }
     sum += boid;
   }
-  std::uint64_t rest = fold(fold(fold(0, state.step), state.next_id), static_cast<std::uint64_t>(state.dimensions));
+  std::uint64_t rest =
+      fold(fold(fold(0, state.step), state.next_id), static_cast<std::uint64_t>(state.dimensions));
   rest = fold(rest, static_cast<std::uint64_t>(state.pointer.mode) * 2 + (state.pointer.pressed ? 1 : 0));
   for (const float coordinate : state.pointer.at) rest = fold(rest, bits_of(coordinate));
   return sum + rest;
@@ -65,7 +66,9 @@ void keep(State& state, const std::vector<std::uint8_t>& marks) {
   });
 }
 
-bool is_sound(float value) { return std::abs(value) <= 1e15f; }
+bool is_sound(float value) {
+  return std::abs(value) <= 1e15f;
+}
 
 float wrapped(float coordinate, float min, float max) {
   if ((coordinate >= min && coordinate < max) || !is_sound(coordinate)) return coordinate;
@@ -74,7 +77,9 @@ float wrapped(float coordinate, float min, float max) {
   return turned >= min && turned < max ? turned : min;
 }
 
-double bytes_needed(double boids) { return boids * 260.0; }
+double bytes_needed(double boids) {
+  return boids * 260.0;
+}
 
 double bytes_available() {
 #if defined(__unix__)

@@ -16,8 +16,8 @@ void for_each_array(AnyState& state, F&& f) {
   }
 }
 
-/// Wrapped sum over all boids of a mix of their values, plus the rest: covers every array and does not depend on
-/// the order of storage.
+/// Wrapped sum over all boids of a mix of their values, plus the rest: covers every array and does not depend
+/// on the order of storage.
 std::uint64_t hash(const State& state);
 
 /// Puts boid order[i] at place i. `order` is a permutation, or empty for "as it is".
@@ -28,12 +28,11 @@ void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
 /// Keeps the boids whose mark is not 0, in their order.
 void keep(State& state, const std::vector<std::uint8_t>& marks);
 
-
 /// A number that a step may compute with: finite, and not beyond 1e15.
 bool is_sound(float value);
 
-/// Wraps a coordinate into [min, max) of a space of that size by floored modulo; exactly max becomes min. What is
-/// not sound stays as it is, for the quarantine to see.
+/// Wraps a coordinate into [min, max) of a space of that size by floored modulo; exactly max becomes min.
+/// What is not sound stays as it is, for the quarantine to see.
 float wrapped(float coordinate, float min, float max);
 
 /// Bytes that a run of that many boids needs, and bytes that the machine has to give.

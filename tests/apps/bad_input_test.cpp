@@ -66,7 +66,8 @@ TEST_F(BadInput, CrossingMarginsAreAWarning) {
   write("s.toml",
         "[space]\nmin = [0, 0]\nmax = [100, 300]\nboundary = { kind = \"turn\", margin = 60, strength = 1 "
         "}\n[[flock]]\ncount = 9\n");
-  const std::string warning = "s.toml:4: space.boundary.margin: warning: the margins of 60 cross on the x axis";
+  const std::string warning =
+      "s.toml:4: space.boundary.margin: warning: the margins of 60 cross on the x axis";
   const Ended checked = run_well({"check", "s.toml"});
   EXPECT_EQ(checked.out, "s.toml: ok, with 1 warning\n");
   EXPECT_SAYS(checked.err, warning);

@@ -11,7 +11,9 @@
 
 namespace reference {
 
-inline void PrintTo(Vec a, std::ostream* out) { *out << '(' << a.x << ", " << a.y << ", " << a.z << ')'; }
+inline void PrintTo(Vec a, std::ostream* out) {
+  *out << '(' << a.x << ", " << a.y << ", " << a.z << ')';
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

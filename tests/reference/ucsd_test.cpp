@@ -1,4 +1,5 @@
-// The reference of "Animation: Boids" (UCSD CSE 167) against cases small enough for paper, one or two rules at a time.
+// The reference of "Animation: Boids" (UCSD CSE 167) against cases small enough for paper, one or two rules
+// at a time.
 #include <cmath>
 #include <vector>
 

@@ -17,7 +17,9 @@ ScenarioDef small() {
   return scenario;
 }
 
-Simulation start(const ScenarioDef& scenario) { return take(Simulation::create(scenario)); }
+Simulation start(const ScenarioDef& scenario) {
+  return take(Simulation::create(scenario));
+}
 
 /// Saves a run at a step as state CSV and goes on from there to the end.
 std::uint64_t hash_in_two_parts(ScenarioDef scenario, std::uint64_t at, std::uint64_t end) {
@@ -39,12 +41,18 @@ std::uint64_t hash_in_one(const ScenarioDef& scenario, std::uint64_t end) {
   return simulation.hash();
 }
 
-Event event_at(std::uint64_t step, Command command) { return {step, std::move(command)}; }
-Command set_to(const std::string& path, const std::string& value) { return SetParameter{path, value}; }
+Event event_at(std::uint64_t step, Command command) {
+  return {step, std::move(command)};
+}
+Command set_to(const std::string& path, const std::string& value) {
+  return SetParameter{path, value};
+}
 
 TEST(Continuation, PastSettingsHoldForTheSavedBoids) {
-  for (const auto& [path, value] : std::vector<std::pair<std::string, std::string>>{
-           {"flock.boids.wander.weight", "0.1"}, {"flock.boids.colour.averaging", "0.2"}, {"space.per_boid", "400"}}) {
+  for (const auto& [path, value] :
+       std::vector<std::pair<std::string, std::string>>{{"flock.boids.wander.weight", "0.1"},
+                                                        {"flock.boids.colour.averaging", "0.2"},
+                                                        {"space.per_boid", "400"}}) {
     ScenarioDef scenario = small();
     scenario.run.events = {event_at(10, set_to(path, value))};
     EXPECT_EQ(hash_in_two_parts(scenario, 20, 40), hash_in_one(scenario, 40)) << path;
@@ -54,7 +62,8 @@ TEST(Continuation, PastSettingsHoldForTheSavedBoids) {
 
 TEST(Continuation, BoidsThatEventsAddedAreNotAddedAgain) {
   ScenarioDef scenario = small();
-  scenario.run.events = {event_at(5, AddBoids{"boids", 7, {10, 20}, 5}), event_at(10, EraseBoids{{10, 20}, 20}),
+  scenario.run.events = {event_at(5, AddBoids{"boids", 7, {10, 20}, 5}),
+                         event_at(10, EraseBoids{{10, 20}, 20}),
                          event_at(20, AddBoids{"boids", 5, {0, 0}, 9})};
   for (const std::uint64_t at : {5u, 15u, 20u}) {
     EXPECT_EQ(hash_in_two_parts(scenario, at, 40), hash_in_one(scenario, 40)) << at;
@@ -141,7 +150,8 @@ TEST(Memory, EventsThatAddMoreThanThereIsRoomForAreRefusedAtOnce) {
   scenario.run.events = {event_at(0, AddBoids{"boids", 1000000000, {0, 0}, 1})};
   const auto refused = Simulation::create(scenario);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().find("run.events: 1000000050 boids need about"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().find("run.events: 1000000050 boids need about"), std::string::npos)
+      << refused.error();
   EXPECT_FALSE(start(small()).push(AddBoids{"boids", 1000000000, {0, 0}, 1}));
 }
 
