@@ -110,9 +110,13 @@ CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional
 
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& place, const std::string& type,
                       const std::string& about) {
+  const auto not_empty = [](const std::string& word) -> std::string {
+    return word.empty() ? "must not be empty" : "";
+  };
   return command.add_option(name, place, about)
       ->type_name(type)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->check(CLI::Validator(not_empty, "", ""));
 }
 
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& place,
