@@ -54,13 +54,27 @@ bool sampled(const NeighbourRow& row, const Target<D>& target, std::uint64_t nei
          row.sample_below;
 }
 
-void add(NeighbourSum& sum, const std::array<const float*, 3>& columns, int components, std::size_t i) {
+// Contributions are float, their running sum is double and rounded once: a swarm of hundreds around a boid
+// pushes from all sides, and what is left of the push must not be the rounding of the sum.
+struct RunningSum {
+  std::array<double, 3> value{};
+  std::uint32_t count = 0;
+};
+
+NeighbourSum rounded(const RunningSum& running) {
+  NeighbourSum out;
+  out.count = running.count;
+  for (std::size_t axis = 0; axis < 3; ++axis) out.value[axis] = static_cast<float>(running.value[axis]);
+  return out;
+}
+
+void add(RunningSum& sum, const std::array<const float*, 3>& columns, int components, std::size_t i) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(components); ++axis)
-    sum.value[axis] += columns[axis][i];
+    sum.value[axis] += double{columns[axis][i]};
 }
 
 template <int D>
-void add_offset(NeighbourSum& sum, Strength strength, const Neighbour<D>& neighbour) {
+void add_offset(RunningSum& sum, Strength strength, const Neighbour<D>& neighbour) {
   float scale = 1;
   if (strength != Strength::grows) {
     if (neighbour.distance_squared < least_distance_squared) return;
@@ -68,11 +82,11 @@ void add_offset(NeighbourSum& sum, Strength strength, const Neighbour<D>& neighb
                                                 : std::sqrt(neighbour.distance_squared));
   }
   for (int axis = 0; axis < D; ++axis)
-    sum.value[static_cast<std::size_t>(axis)] += neighbour.offset[axis] * scale;
+    sum.value[static_cast<std::size_t>(axis)] += double{neighbour.offset[axis] * scale};
 }
 
 template <int D>
-void add_contribution(NeighbourSum& sum, const NeighbourRow& row, const Boids& sources,
+void add_contribution(RunningSum& sum, const NeighbourRow& row, const Boids& sources,
                       const Neighbour<D>& neighbour) {
   ++sum.count;
   switch (row.quantity) {
@@ -89,7 +103,7 @@ void add_contribution(NeighbourSum& sum, const NeighbourRow& row, const Boids& s
 
 template <int D>
 void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boids& sources, Span span,
-                    const Image& image, NeighbourSum* sums) {
+                    const Image& image, std::span<RunningSum> sums) {
   assert(span.end <= sources.count);
   for (std::size_t i = span.begin; i < span.end; ++i) {
     Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), image), 0};
@@ -203,6 +217,7 @@ void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, co
   const Model& model = *question.model;
   assert(sums.size() >= end * model.most_rows);
   std::vector<Span> spans;
+  std::vector<RunningSum> running(model.most_rows);
   for (std::size_t j = begin; j < end; ++j) {
     NeighbourSum* own = sums.data() + j * model.most_rows;
     std::fill(own, own + model.most_rows, NeighbourSum{});
@@ -216,7 +231,11 @@ void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, co
       std::array<float, 3> place{};
       for (int axis = 0; axis < D; ++axis) place[static_cast<std::size_t>(axis)] = target.position[axis];
       question.index->spans(place, spans);
-      for (const Span span : spans) add_neighbours(flock, target, sources, span, question.image, own);
+      std::fill(running.begin(), running.end(), RunningSum{});
+      for (const Span span : spans) {
+        add_neighbours<D>(flock, target, sources, span, question.image, running);
+      }
+      std::transform(running.begin(), running.end(), own, rounded);
     }
     for (std::size_t r = 0; r < flock.rows.size(); ++r) {
       if (flock.rows[r].whole_population)
