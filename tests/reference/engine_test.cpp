@@ -237,7 +237,6 @@ TEST(EngineAgainstReference, Prog06) {
                   1,
                   {}};
   profile.velocity_tolerance = 1e-4;
-  profile.position_tolerance = 1e-4 * 0.05;  // with dt = 1 a place is as exact as the velocity that led there
   profile.free_tolerance = 1e-2;
   profile.free_every =
       steps;  // only from the start: later the boids swarm so densely that errors grow tenfold
