@@ -24,5 +24,6 @@ void add_show(CLI::App& app, Request& request);
 void add_keys(CLI::App& app, Request& request);
 void add_new(CLI::App& app, Request& request);
 void add_check(CLI::App& app, Request& request);
+void add_shadertoy(CLI::App& app, Request& request);
 
 }  // namespace program

@@ -44,6 +44,7 @@ void describe(CLI::App& app, Request& request) {
   add_keys(app, request);
   add_new(app, request);
   add_check(app, request);
+  add_shadertoy(app, request);
 }
 
 // Reads the words; what is left to do stands in `request.work`, unless there is nothing left or nothing to be

@@ -98,16 +98,20 @@ void tell_warnings(const Problems& of_file, const Problems& of_all) {
 
 }  // namespace
 
-void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
+void add_parameter_options(CLI::App& command, ScenarioOptions& options) {
   command.add_option("SCENARIO", options.scenario, "A shipped scenario (sturnus list) or the path of a file")
       ->required()
       ->type_name("");
   add_whole(command, "--count", options.count, 0, 1000000000, "Boids in the one flock");
   add_whole(command, "--seed", options.seed, 0, most, "Seed of all random streams");
-  add_whole(command, "--steps", options.steps, 0, 1000000000000000, "How many steps to do");
   command.add_option("--set", options.set, "Set any parameter, as often as wanted (sturnus keys lists them)")
       ->type_name("key=value")
       ->allow_extra_args(false);
+}
+
+void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
+  add_parameter_options(command, options);
+  add_whole(command, "--steps", options.steps, 0, 1000000000000000, "How many steps to do");
   add_choice(command, "--index", options.index, {"all-pairs", "grid", "tree"}, "How neighbours are found");
   add_text(command, "--initial", options.initial, "STATE.csv", "Take the boids from a state file");
   add_whole(command, "--first-step", options.first_step, 0, 1000000000000000,

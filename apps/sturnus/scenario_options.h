@@ -23,6 +23,9 @@ struct ScenarioOptions {
   std::string initial;  ///< path as the caller's folder has it; empty: the scenario's
 };
 
+/// SCENARIO, --count, --seed and --set: what a scenario says.
+void add_parameter_options(CLI::App& command, ScenarioOptions& options);
+/// The same and what only a run has.
 void add_scenario_options(CLI::App& command, ScenarioOptions& options);
 
 /// The scenario with all options applied, checked. Warnings go to standard error.

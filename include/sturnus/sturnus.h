@@ -1,4 +1,4 @@
-// Everything in one header: scenarios, simulations, measures, pictures, files.
+// Everything in one header: scenarios, simulations, measures, pictures, shaders, files.
 #pragma once
 
 #include <sturnus/files.h>
@@ -7,6 +7,7 @@
 #include <sturnus/picture.h>
 #include <sturnus/render.h>
 #include <sturnus/scenario.h>
+#include <sturnus/shaders.h>
 #include <sturnus/simulation.h>
 #include <sturnus/steering.h>
 #include <sturnus/version.h>
