@@ -1,10 +1,4 @@
 // The program `sturnus`: reads the command line, does what it asks, and ends with 0, 1, 2 or 130.
-#include <sturnus/version.h>
-
-#include <csignal>
-#include <exception>
-#include <new>
-
 #include "command_line.h"
 #include "commands.h"
 #include "output.h"
@@ -24,16 +18,7 @@ constexpr const char* welcome =
     "sturnus list shows all scenarios, sturnus --help all commands.\n";
 
 void describe(CLI::App& app, Request& request) {
-  app.name("sturnus");
-  app.allow_extras();
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", std::string("sturnus ") + sturnus::version, "Print the version and end");
-  app.set_help_flag("-h,--help", "Print this help and end");
-  app.get_formatter()->column_width(34);
-  app.get_formatter()->label("OPTIONS", "options");
-  app.get_formatter()->label("SUBCOMMAND", "command");
-  app.get_formatter()->label("Positionals", "Arguments");
-  app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(
       "sturnus COMMAND --help explains a command, with examples.\n"
       "Exit codes: 0 done, 1 failed while running, 2 bad usage or input, 130 interrupted.");
@@ -47,48 +32,15 @@ void describe(CLI::App& app, Request& request) {
   add_shadertoy(app, request);
 }
 
-// Reads the words; what is left to do stands in `request.work`, unless there is nothing left or nothing to be
-// done.
-int read(CLI::App& app, Request& request) {
-  try {
-    app.parse(std::vector<std::string>(request.words.rbegin(), request.words.rend() - 1));
-  } catch (const CLI::CallForHelp&) {
-    print(app.help());
-    return done;
-  } catch (const CLI::CallForVersion&) {
-    print(app.version() + "\n");
-    return done;
-  } catch (const CLI::ParseError& error) {
-    const std::string unexpected = unexpected_words(app);
-    return refuse(unexpected.empty() ? sentence_of(error, app) : unexpected);
-  }
-  if (const std::string unexpected = unexpected_words(app); !unexpected.empty()) {
-    request.work = nullptr;
-    return refuse(unexpected);
-  }
-  if (!request.work) print(welcome);
-  return done;
-}
-
-int run_program(Request& request) {
-  CLI::App app("Sturnus simulates flocks: scenario files in; measures, pictures and videos out.");
-  describe(app, request);
-  const int code = read(app, request);
-  return request.work ? request.work() : code;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader who goes away ends nothing but the reading
+  CLI::App app("Sturnus simulates flocks: scenario files in; measures, pictures and videos out.", "sturnus");
   Request request;
   request.words.assign(words, words + count);
-  try {
-    return finish(run_program(request));
-  } catch (const std::bad_alloc&) {
-    tell("sturnus: the memory is used up");
-  } catch (const std::exception& error) {
-    tell(std::string("sturnus: ") + error.what());
-  }
-  return finish(failed);
+  request.work = [] {
+    print(welcome);
+    return done;
+  };
+  return main_program(app, request, describe);
 }

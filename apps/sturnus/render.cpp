@@ -60,10 +60,6 @@ struct Outcome {
   bool interrupted = false;
 };
 
-sturnus::Problem complaint(const std::string& option, std::string text) {
-  return {option, 0, "", std::move(text), false};
-}
-
 Status check_combination(const RenderOptions& options) {
   const std::string& name = options.output;
   if (!options.is_movie() && !is_picture_name(name)) {
@@ -84,18 +80,9 @@ Status check_combination(const RenderOptions& options) {
 Status read_size(const RenderOptions& options, Plan& plan) {
   if (options.is_sheet()) plan.drawing.picture.size = sheet_picture;
   if (options.size.empty()) return {};
-  const auto size = two_numbers(options.size);
-  if (!size)
-    return complaint("--size",
-                     "write width x height in pixels, such as 1280x720, but found \"" + options.size + "\"");
-  for (const int side : {size->first, size->second}) {
-    if (side < sturnus::min_picture_side || side > sturnus::max_picture_side) {
-      return complaint("--size", "each side must be " + std::to_string(sturnus::min_picture_side) + " to " +
-                                     std::to_string(sturnus::max_picture_side) + " pixels, but found \"" +
-                                     options.size + "\"");
-    }
-  }
-  plan.drawing.picture.size = {size->first, size->second};
+  const auto size = picture_size("--size", options.size);
+  if (!size) return size.problems();
+  plan.drawing.picture.size = *size;
   return {};
 }
 
@@ -229,11 +216,6 @@ void print_outcome(const Plan& plan, const Simulation& flock, const Outcome& out
         format("step %llu, ", static_cast<unsigned long long>(flock.step_number())) +
         counted(flock.view().size(), "boid") +
         format(", hash %016llx\n", static_cast<unsigned long long>(flock.hash())));
-}
-
-int fail(const sturnus::Problems& problems) {
-  tell(problems);
-  return failed;
 }
 
 int render(const RenderOptions& options) {

@@ -209,11 +209,6 @@ int run_and_write(const RunOptions& options, Simulation& flock, std::uint64_t st
   return course.interrupted ? interrupted : done;
 }
 
-int fail(const sturnus::Problems& problems) {
-  tell(problems);
-  return failed;
-}
-
 int run(const RunOptions& options) {
   if (const std::string complaint = complaint_about(options); !complaint.empty()) return refuse(complaint);
   const auto scenario = effective_scenario(options.scenario);

@@ -5,7 +5,6 @@
 #include <sturnus/parameters.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "command_line.h"
@@ -138,13 +137,6 @@ sturnus::Result<ScenarioDef> effective_scenario(const ScenarioOptions& options) 
 std::string folder_of(const std::string& path) {
   const auto slash = path.find_last_of('/');
   return slash == std::string::npos ? "" : path.substr(0, slash + 1);
-}
-
-bool is_picture_name(const std::string& path) {
-  if (path.size() < 5) return false;
-  std::string ending = path.substr(path.size() - 4);
-  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return ending == ".png" || ending == ".ppm";
 }
 
 }  // namespace program

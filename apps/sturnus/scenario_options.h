@@ -43,7 +43,5 @@ void add_work_options(CLI::App& command, WorkOptions& options);
 
 /// "dir/" of "dir/file", empty when there is none.
 std::string folder_of(const std::string& path);
-/// Whether a path ends in .png or .ppm, in either case of letters.
-bool is_picture_name(const std::string& path);
 
 }  // namespace program

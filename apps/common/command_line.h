@@ -1,6 +1,7 @@
 // Options that say clearly what is wrong with them.
 #pragma once
 
+#include <sturnus/picture.h>
 #include <sturnus/result.h>
 
 #include <CLI/CLI.hpp>
@@ -31,8 +32,15 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 /// `"rnu"; did you mean run?` or just the quoted word.
 std::string quoted_with_guess(const std::string& word, const std::vector<std::string>& known);
 
-/// Two whole numbers with an x between them, such as 1280x720.
-std::optional<std::pair<int, int>> two_numbers(const std::string& text);
+/// Two whole numbers with a letter between them, such as 1280x720.
+std::optional<std::pair<int, int>> two_numbers(const std::string& text, char between = 'x');
+/// The size of a picture from an option such as --size 1280x720, or what is wrong with it.
+sturnus::Result<sturnus::Size> picture_size(const std::string& option, const std::string& text);
+/// Whether a path ends in .png or .ppm, in either case of letters.
+bool is_picture_name(const std::string& path);
+
+/// What is wrong with the value of an option.
+sturnus::Problem complaint(const std::string& option, std::string text);
 
 /// What nobody expected on the command line, as a sentence; empty when all was expected.
 std::string unexpected_words(const CLI::App& app);

@@ -5,6 +5,7 @@
 #include <sturnus/scenario.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -69,7 +70,13 @@ std::string unknown_option(const CLI::App& app, const std::string& word) {
          full_name(app) + " --help lists them)";
 }
 
+std::string one_too_many(const CLI::App& command, const std::string& word) {
+  return full_name(command) + ": \"" + word + "\" is one word too many (" + full_name(command) +
+         " --help shows what is expected)";
+}
+
 std::string unknown_command(const CLI::App& app, const std::string& word) {
+  if (command_names(app).empty()) return one_too_many(app, word);
   for (const sturnus::ShippedScenario& shipped : sturnus::shipped_scenarios()) {
     if (word == shipped.name) {
       return "sturnus: \"" + word + "\" is a scenario, not a command; try: sturnus run " + word;
@@ -137,14 +144,39 @@ std::string quoted_with_guess(const std::string& word, const std::vector<std::st
   return "\"" + word + "\"" + (near.empty() ? "" : "; did you mean " + near + "?");
 }
 
-std::optional<std::pair<int, int>> two_numbers(const std::string& text) {
+std::optional<std::pair<int, int>> two_numbers(const std::string& text, char between) {
   std::pair<int, int> numbers;
   const char* end = text.data() + text.size();
   const auto first = std::from_chars(text.data(), end, numbers.first);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return {};
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != between) return {};
   const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
   if (second.ec != std::errc() || second.ptr != end) return {};
   return numbers;
+}
+
+sturnus::Result<sturnus::Size> picture_size(const std::string& option, const std::string& text) {
+  const auto size = two_numbers(text);
+  if (!size)
+    return complaint(option, "write width x height in pixels, such as 1280x720, but found \"" + text + "\"");
+  for (const int side : {size->first, size->second}) {
+    if (side < sturnus::min_picture_side || side > sturnus::max_picture_side) {
+      return complaint(option, "each side must be " + std::to_string(sturnus::min_picture_side) + " to " +
+                                   std::to_string(sturnus::max_picture_side) + " pixels, but found \"" +
+                                   text + "\"");
+    }
+  }
+  return sturnus::Size{size->first, size->second};
+}
+
+bool is_picture_name(const std::string& path) {
+  if (path.size() < 5) return false;
+  std::string ending = path.substr(path.size() - 4);
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return ending == ".png" || ending == ".ppm";
+}
+
+sturnus::Problem complaint(const std::string& option, std::string text) {
+  return {option, 0, "", std::move(text), false};
 }
 
 std::string unexpected_words(const CLI::App& app) {
@@ -162,8 +194,7 @@ std::string unexpected_words(const CLI::App& app) {
   const auto option = std::find_if(after.begin(), after.end(), is_option);
   if (option != after.end()) return unknown_option(command, *option);
   if (after.empty()) return {};
-  return full_name(command) + ": \"" + after.front() + "\" is one word too many (" + full_name(command) +
-         " --help shows what is expected)";
+  return one_too_many(command, after.front());
 }
 
 std::string sentence_of(const CLI::ParseError& error, const CLI::App& app) {

@@ -26,6 +26,8 @@ void tell(const sturnus::Problems& problems);
 /// Says why the input is bad; returns `bad_input`.
 int refuse(const sturnus::Problems& problems);
 int refuse(const std::string& sentence);
+/// Says what went wrong in the work; returns `failed`.
+int fail(const sturnus::Problems& problems);
 
 /// Brings standard output to its end. Where that fails the program has failed, and says so, except to a
 /// reader who has gone away (`sturnus keys | head`).

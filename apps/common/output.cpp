@@ -40,6 +40,11 @@ int refuse(const std::string& sentence) {
   return bad_input;
 }
 
+int fail(const sturnus::Problems& problems) {
+  tell(problems);
+  return failed;
+}
+
 int finish(int code) {
   errno = 0;
   keep_error(std::fflush(stdout) == 0);
