@@ -6,6 +6,7 @@
 #include <sturnus/result.h>
 #include <sturnus/simulation.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -42,6 +43,12 @@ Status check_output(const std::string& path);
 
 /// Whether a name means a video or a pattern of frames rather than one picture.
 bool is_movie_name(const std::string& path);
+
+/// Whether a name has a place for a number (states/%05d.csv), so that it means many files.
+bool is_numbered_name(const std::string& path);
+/// The file's name for a number: states/00007.csv for states/%05d.csv and 7. A pattern has one place for the
+/// number, %d or %0Nd for N digits, in the file's name and not the folder's; %% is one percent sign.
+Result<std::string> numbered_name(const std::string& pattern, std::int64_t number);
 
 /// Writes a picture as PNG or PPM by the name's ending.
 Status save_picture(const std::string& path, const Image& image);

@@ -1,6 +1,8 @@
 // Reading of frame patterns; they are taken apart here and never reach printf.
 #include "files/frame_files.h"
 
+#include <sturnus/files.h>
+
 #include <cstddef>
 #include <utility>
 
@@ -60,37 +62,45 @@ Problem pattern_problem(const std::string& path, const char* text) {
 
 }  // namespace
 
-bool is_frame_pattern(const std::string& path) {
+bool is_numbered_name(const std::string& path) {
   return read_pattern(path).places > 0;
 }
 
-Result<FrameWriter> FrameWriter::open(const std::string& pattern, std::int64_t first) {
-  Pattern read = read_pattern(pattern);
-  if (!read.is_good || read.places != 1) {
+Result<NumberedName> NumberedName::read(const std::string& pattern) {
+  Pattern found = read_pattern(pattern);
+  if (!found.is_good || found.places != 1) {
     return pattern_problem(pattern, "the name of a frame has one place for its number, such as %05d");
   }
-  const Status known = check_picture_name(pattern);
-  if (!known) return known.problems();
-  if (read.after.find('/') != std::string::npos) {
+  if (found.after.find('/') != std::string::npos) {
     return pattern_problem(pattern, "the number of a frame belongs into the file's name, not the folder's");
   }
-  const Status folder = make_folders(folder_of(read.before));
-  if (!folder) return folder.problems();
-  FrameWriter writer;
-  writer.before_ = std::move(read.before);
-  writer.after_ = std::move(read.after);
-  writer.digits_ = read.digits;
-  writer.next_ = first;
-  const Status possible = check_writable(writer.name(first));
-  if (!possible) return possible.problems();
-  return writer;
+  NumberedName name;
+  name.before_ = std::move(found.before);
+  name.after_ = std::move(found.after);
+  name.digits_ = found.digits;
+  return name;
 }
 
-std::string FrameWriter::name(std::int64_t number) const {
+std::string NumberedName::operator()(std::int64_t number) const {
   std::string digits = std::to_string(number);
   const auto wanted = static_cast<std::size_t>(digits_);
   if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
   return before_ + digits + after_;
+}
+
+Result<std::string> numbered_name(const std::string& pattern, std::int64_t number) {
+  const auto name = NumberedName::read(pattern);
+  if (!name) return name.problems();
+  return (*name)(number);
+}
+
+Result<FrameWriter> FrameWriter::open(const std::string& pattern, std::int64_t first) {
+  auto name = NumberedName::read(pattern);
+  if (!name) return name.problems();
+  if (const Status known = check_picture_name(pattern); !known) return known.problems();
+  if (const Status folder = make_folders(folder_of((*name)(first))); !folder) return folder.problems();
+  if (const Status possible = check_writable((*name)(first)); !possible) return possible.problems();
+  return FrameWriter(std::move(*name), first);
 }
 
 Status FrameWriter::add(const Image& frame) {

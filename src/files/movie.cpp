@@ -21,11 +21,11 @@ Movie::Movie(Movie&&) noexcept = default;
 Movie& Movie::operator=(Movie&&) noexcept = default;
 
 bool is_movie_name(const std::string& path) {
-  return is_frame_pattern(path) || is_video_name(path);
+  return is_numbered_name(path) || is_video_name(path);
 }
 
 Status check_output(const std::string& path) {
-  if (is_frame_pattern(path)) {
+  if (is_numbered_name(path)) {
     const auto frames = FrameWriter::open(path);
     return frames ? Status() : Status(frames.problems());
   }
@@ -39,7 +39,7 @@ Status save_picture(const std::string& path, const Image& image) {
 
 Result<Movie> Movie::open(const std::string& path, Size size, double frames_per_second) {
   auto writers = std::make_unique<Writers>();
-  if (is_frame_pattern(path)) {
+  if (is_numbered_name(path)) {
     auto frames = FrameWriter::open(path);
     if (!frames) return frames.problems();
     writers->frames.emplace(std::move(*frames));

@@ -1,6 +1,8 @@
 // Laws of frame sequences: one number in each name, and user text never reaches printf.
 #include "files/frame_files.h"
 
+#include <sturnus/files.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,9 +40,17 @@ TEST(FrameFiles, OtherPatternsAreRefused) {
 }
 
 TEST(FrameFiles, APatternIsToldFromAName) {
-  EXPECT_TRUE(is_frame_pattern("frames/%05d.png"));
-  EXPECT_FALSE(is_frame_pattern("frames/flock.png"));
-  EXPECT_FALSE(is_frame_pattern("100%%.png"));
+  EXPECT_TRUE(is_numbered_name("frames/%05d.png"));
+  EXPECT_FALSE(is_numbered_name("frames/flock.png"));
+  EXPECT_FALSE(is_numbered_name("100%%.png"));
+}
+
+TEST(FrameFiles, AnyFileMayHaveANumberInItsName) {
+  const auto name = numbered_name("states/%05d.csv", 7);
+  ASSERT_TRUE(name) << name.error();
+  EXPECT_EQ(*name, "states/00007.csv");
+  EXPECT_FALSE(numbered_name("states/%d/a.csv", 7));
+  EXPECT_FALSE(numbered_name("state.csv", 7));
 }
 
 TEST(FrameFiles, AFolderThatCannotBeMadeIsAProblemAtOnce) {
