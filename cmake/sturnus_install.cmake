@@ -13,6 +13,8 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/sturnus-config.cmake.in 
 write_basic_package_version_file(sturnus-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/sturnus-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/sturnus-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturnus)
-if(TARGET sturnus-program)
-  install(TARGETS sturnus-program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+foreach(program sturnus-program sturnus-shadertoy)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+endforeach()

@@ -168,6 +168,11 @@ sturnus::Result<sturnus::Size> picture_size(const std::string& option, const std
   return sturnus::Size{size->first, size->second};
 }
 
+std::string folder_of(const std::string& path) {
+  const auto slash = path.find_last_of('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+}
+
 bool is_picture_name(const std::string& path) {
   if (path.size() < 5) return false;
   std::string ending = path.substr(path.size() - 4);

@@ -36,6 +36,8 @@ std::string quoted_with_guess(const std::string& word, const std::vector<std::st
 std::optional<std::pair<int, int>> two_numbers(const std::string& text, char between = 'x');
 /// The size of a picture from an option such as --size 1280x720, or what is wrong with it.
 sturnus::Result<sturnus::Size> picture_size(const std::string& option, const std::string& text);
+/// "dir/" of "dir/file", empty when there is none.
+std::string folder_of(const std::string& path);
 /// Whether a path ends in .png or .ppm, in either case of letters.
 bool is_picture_name(const std::string& path);
 

@@ -3,7 +3,7 @@
 
 #include <sturnus/files.h>
 
-#include "scenario_options.h"
+#include "command_line.h"
 
 namespace program {
 namespace {

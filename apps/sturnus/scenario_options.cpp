@@ -134,9 +134,4 @@ sturnus::Result<ScenarioDef> effective_scenario(const ScenarioOptions& options) 
   return scenario;
 }
 
-std::string folder_of(const std::string& path) {
-  const auto slash = path.find_last_of('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash + 1);
-}
-
 }  // namespace program

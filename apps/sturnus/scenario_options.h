@@ -41,7 +41,4 @@ struct WorkOptions {
 
 void add_work_options(CLI::App& command, WorkOptions& options);
 
-/// "dir/" of "dir/file", empty when there is none.
-std::string folder_of(const std::string& path);
-
 }  // namespace program

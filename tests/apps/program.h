@@ -5,6 +5,7 @@
 
 #include <sys/types.h>
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -26,9 +27,10 @@ struct StartOptions {
   std::string folder;  ///< where it stands
   std::string path;    ///< PATH; empty: as here
   std::string input = "/dev/null";
-  std::string output;          ///< a file for standard output in place of `Ended::out`
-  bool closed_output = false;  ///< standard output is a pipe that nobody reads
-  bool terminal = false;       ///< standard error is a terminal
+  std::string output;                  ///< a file for standard output in place of `Ended::out`
+  bool closed_output = false;          ///< standard output is a pipe that nobody reads
+  bool terminal = false;               ///< standard error is a terminal
+  std::vector<std::string> variables;  ///< more of the surroundings, as NAME=value
 };
 
 /// A program that runs.
@@ -42,8 +44,8 @@ class Running {
   pid_t id() const { return id_; }
   /// Waits until the program handles Ctrl-C, i.e. works; false when it ended before.
   bool wait_until_it_works() const;
-  /// Waits for its end, but not for ever: after a minute it is killed.
-  Ended wait();
+  /// Waits for its end, but not for ever: then it is killed.
+  Ended wait(std::chrono::seconds longest = std::chrono::seconds(60));
 
  private:
   pid_t id_ = -1;

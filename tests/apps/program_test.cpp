@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <regex>
@@ -31,13 +30,17 @@ std::string text_of(int file) {
   return text;
 }
 
-// The surroundings of the program: ours, but for the PATH.
-std::vector<std::string> environment(const std::string& search_path) {
-  std::vector<std::string> out;
+// The surroundings of the program: ours, but for the PATH and what the test sets.
+std::vector<std::string> environment(const StartOptions& options) {
+  std::vector<std::string> out = options.variables;
+  if (!options.path.empty()) out.push_back("PATH=" + options.path);
+  const auto is_set = [set = out](const std::string& entry) {
+    const std::string name = entry.substr(0, entry.find('=') + 1);
+    return std::any_of(set.begin(), set.end(), [&](const std::string& one) { return one.starts_with(name); });
+  };
   for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (search_path.empty() || std::strncmp(*entry, "PATH=", 5) != 0) out.emplace_back(*entry);
+    if (!is_set(*entry)) out.emplace_back(*entry);
   }
-  if (!search_path.empty()) out.push_back("PATH=" + search_path);
   return out;
 }
 
@@ -49,8 +52,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 }
 
 // A program that should have refused 1e12 steps and does them instead must not stay.
-bool wait_or_kill(pid_t id, int* status) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+bool wait_or_kill(pid_t id, int* status, std::chrono::seconds longest) {
+  const auto end = std::chrono::steady_clock::now() + longest;
   for (;;) {
     const pid_t ended = waitpid(id, status, WNOHANG);
     if (ended != 0) return ended == id;
@@ -94,7 +97,7 @@ Running::Running(const Words& words, const StartOptions& options)
   posix_spawnattr_setsigdefault(&attributes, &defaults);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
 
-  std::vector<std::string> arguments = words, variables = environment(options.path);
+  std::vector<std::string> arguments = words, variables = environment(options);
   const int error = posix_spawnp(&id_, words.front().c_str(), &actions, &attributes,
                                  pointers_to(arguments).data(), pointers_to(variables).data());
   posix_spawnattr_destroy(&attributes);
@@ -131,10 +134,10 @@ bool Running::wait_until_it_works() const {
   }
 }
 
-Ended Running::wait() {
+Ended Running::wait(std::chrono::seconds longest) {
   Ended ended;
   int status = 0;
-  if (id_ > 0 && wait_or_kill(id_, &status)) {
+  if (id_ > 0 && wait_or_kill(id_, &status, longest)) {
     ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   id_ = -1;
@@ -233,6 +236,8 @@ TEST_F(Harness, ChangesTheSurroundings) {
   StartOptions options;
   options.path = "/nonexistent";
   EXPECT_EQ(shell("echo $PATH", options).out, "/nonexistent\n");
+  options.variables = {"STURNUS_HARNESS=here"};
+  EXPECT_EQ(shell("echo $STURNUS_HARNESS", options).out, "here\n");
   options.closed_output = true;
   EXPECT_NE(shell("trap '' PIPE; echo lost", options).code, 0);
 }

@@ -1,0 +1,115 @@
+// Creation of GL objects.
+#include "gl_objects.h"
+
+namespace shadertoy {
+namespace {
+
+constexpr const char* triangle =
+    "#version 300 es\n"
+    "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }\n";
+
+GLuint new_texture() {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  return name;
+}
+
+GLuint new_framebuffer() {
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  return name;
+}
+
+// Compiles a shader and leaves it to the program, so that it ends with the program.
+bool attach(GLuint program, GLenum kind, const std::string& text, std::string& log) {
+  const GLuint shader = glCreateShader(kind);
+  const char* start = text.c_str();
+  glShaderSource(shader, 1, &start, nullptr);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);
+  GLint good = 0, length = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  log.assign(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
+  if (length > 0) glGetShaderInfoLog(shader, length, &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return good == GL_TRUE;
+}
+
+bool link(GLuint program, std::string& log) {
+  glLinkProgram(program);
+  GLint good = 0, length = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &good);
+  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+  log.assign(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
+  if (length > 0) glGetProgramInfoLog(program, length, &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return good == GL_TRUE;
+}
+
+}  // namespace
+
+void delete_texture(GLuint name) {
+  glDeleteTextures(1, &name);
+}
+
+void delete_framebuffer(GLuint name) {
+  glDeleteFramebuffers(1, &name);
+}
+
+void delete_program(GLuint name) {
+  glDeleteProgram(name);
+}
+
+Texture::Texture(TexelFormat format, sturnus::Size size, GLint filter, GLint wrap, const void* texels)
+    : name_(new_texture()), size_(size) {
+  glBindTexture(GL_TEXTURE_2D, name());
+  glTexImage2D(GL_TEXTURE_2D, 0, format.stored, size.width, size.height, 0, format.order, format.type,
+               texels);
+  for (const GLenum use : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, use, filter);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, axis, wrap);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+Target::Target(TexelFormat format, sturnus::Size size)
+    : format_(format), texture_(format, size, GL_NEAREST, GL_CLAMP_TO_EDGE), framebuffer_(new_framebuffer()) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+}
+
+bool Target::is_complete() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void Target::clear() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Target::draw() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glViewport(0, 0, size().width, size().height);
+  glDisable(GL_DITHER);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Target::read(int x, int y, sturnus::Size part, void* texels) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glReadPixels(x, y, part.width, part.height, format_.order, format_.type, texels);
+}
+
+sturnus::Result<Program> Program::build(const std::string& fragment_shader) {
+  Program program(glCreateProgram());
+  std::string log;
+  if (attach(program.name_.name(), GL_VERTEX_SHADER, triangle, log) &&
+      attach(program.name_.name(), GL_FRAGMENT_SHADER, fragment_shader, log) &&
+      link(program.name_.name(), log))
+    return program;
+  return sturnus::Problem{"", 0, "", log, false};
+}
+
+}  // namespace shadertoy
