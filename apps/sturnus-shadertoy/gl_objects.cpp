@@ -20,6 +20,18 @@ GLuint new_framebuffer() {
   return name;
 }
 
+// Whether it went well with a shader or a program, and what the driver says of it.
+bool succeeded(GLuint name, GLenum what, PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPROC get_log,
+               std::string& log) {
+  GLint good = 0, length = 0;
+  get(name, what, &good);
+  get(name, GL_INFO_LOG_LENGTH, &length);
+  log.assign(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
+  if (length > 0) get_log(name, length, &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return good == GL_TRUE;
+}
+
 // Compiles a shader and leaves it to the program, so that it ends with the program.
 bool attach(GLuint program, GLenum kind, const std::string& text, std::string& log) {
   const GLuint shader = glCreateShader(kind);
@@ -28,24 +40,12 @@ bool attach(GLuint program, GLenum kind, const std::string& text, std::string& l
   glCompileShader(shader);
   glAttachShader(program, shader);
   glDeleteShader(shader);
-  GLint good = 0, length = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-  log.assign(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
-  if (length > 0) glGetShaderInfoLog(shader, length, &length, log.data());
-  log.resize(static_cast<std::size_t>(length));
-  return good == GL_TRUE;
+  return succeeded(shader, GL_COMPILE_STATUS, glGetShaderiv, glGetShaderInfoLog, log);
 }
 
 bool link(GLuint program, std::string& log) {
   glLinkProgram(program);
-  GLint good = 0, length = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &good);
-  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  log.assign(static_cast<std::size_t>(length > 0 ? length : 0), '\0');
-  if (length > 0) glGetProgramInfoLog(program, length, &length, log.data());
-  log.resize(static_cast<std::size_t>(length));
-  return good == GL_TRUE;
+  return succeeded(program, GL_LINK_STATUS, glGetProgramiv, glGetProgramInfoLog, log);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // reads boids where the Common tab says they are.
 #include <sturnus/files.h>
 
-#include <cmath>
+#include <csignal>
 
 #include "program.h"
 #include "sturnus-shadertoy/noise.h"
@@ -99,6 +99,8 @@ TEST_F(ShadertoyRunner, ABufferSeesItsFrameBeforeAndBeginsAtZero) {
   EXPECT_EQ(state.id, (std::vector<std::uint64_t>{0, 1}));
   EXPECT_EQ(texel(state, 0), (Four{8, 7, 7.0f / 60, 6}));
   EXPECT_EQ(texel(state_after(0), 1), (Four{1, 0, 0, 0}));
+  write_shaders(common_of(1), main_image("fragColor = texelFetch(iChannel0, ivec2(fragCoord), 0) + 1.0;"));
+  EXPECT_EQ(texel(state_after(0), 0), (Four{1, 1, 1, 1}));
 }
 
 TEST_F(ShadertoyRunner, FeedbackDoesNotReachTheFrameThatIsDrawn) {
@@ -276,6 +278,18 @@ TEST_F(ShadertoyRunner, SaysWhatItDid) {
   EXPECT_SAYS(play_well({"--image", "a.png", "--size", "16x16"}).out, "frames 0 to 100, 16x16");
   EXPECT_SAYS(play_well({"--image", "a.png", "--frames", "0"}).out, "1280x720");
   EXPECT_EQ(play_well({"--image", "a.png", "--size", "16x16", "--quiet"}).out, "");
+}
+
+TEST_F(ShadertoyRunner, CtrlCWritesTheFrameThatIsThere) {
+  write_shaders(common_of(1), main_image("fragColor = vec4(float(iFrame));"));
+  Running running({STURNUS_SHADERTOY, "s", "--frames", "1000000000", "--size", "16x16", "--state", "a.csv"},
+                  here());
+  ASSERT_TRUE(running.wait_until_it_works());
+  ::kill(running.id(), SIGINT);
+  const Ended ended = running.wait();
+  EXPECT_EQ(ended.code, 130) << ended.err;
+  const auto frame = static_cast<int>(state_in("a.csv").position[0].at(0));
+  EXPECT_SAYS(ended.out, "wrote a.csv: frames 0 to " + std::to_string(frame) + ", ");
 }
 
 TEST_F(ShadertoyRunner, AnyPairOfShadersHasAPictureButOnlyBoidsHaveAState) {
