@@ -67,9 +67,10 @@ Texture::Texture(TexelFormat format, sturnus::Size size, GLint filter, GLint wra
   glBindTexture(GL_TEXTURE_2D, name());
   glTexImage2D(GL_TEXTURE_2D, 0, format.stored, size.width, size.height, 0, format.order, format.type,
                texels);
-  for (const GLenum use : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D, use, filter);
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, axis, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 

@@ -30,6 +30,7 @@ bool has_library(const char* name) {
 void choose_driver() {
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
   setenv("EGL_LOG_LEVEL", "fatal", 0);
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);  // it writes in the home folder and saves no time here
 }
 
 }  // namespace

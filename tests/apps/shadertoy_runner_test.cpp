@@ -280,6 +280,17 @@ TEST_F(ShadertoyRunner, SaysWhatItDid) {
   EXPECT_EQ(play_well({"--image", "a.png", "--size", "16x16", "--quiet"}).out, "");
 }
 
+TEST_F(ShadertoyRunner, LeavesNothingButWhatWasAskedFor) {
+  write("s/buffer_a.glsl", black);
+  write("s/image.glsl", main_image("fragColor = vec4(0.125);"));
+  std::set<std::string> expected = files();
+  expected.insert("a.png");
+  const Ended ended =
+      play({"--frames", "1", "--image", "a.png"}, {"HOME=" + folder(), "XDG_CACHE_HOME=" + path("cache")});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(files(), expected);
+}
+
 TEST_F(ShadertoyRunner, CtrlCWritesTheFrameThatIsThere) {
   write_shaders(common_of(1), main_image("fragColor = vec4(float(iFrame));"));
   Running running({STURNUS_SHADERTOY, "s", "--frames", "1000000000", "--size", "16x16", "--state", "a.csv"},
