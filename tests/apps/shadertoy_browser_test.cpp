@@ -194,6 +194,35 @@ TEST_F(FullShadertoyInChromium, AFlockOfTheTestsOwnFliesAsInTheRunner) {
   expect_agreement(path("s"));
 }
 
+// Places in even columns, velocities to their right; everybody turns about an axis through the middle.
+constexpr const char* spatial_common = R"glsl(
+const int COUNT = 40;
+const int DIMENSIONS = 3;
+int flock_of(int boid) { return boid / 20; }
+ivec2 texel_of(int boid) { return ivec2(2 * (boid % 10), 3 + boid / 10); }
+)glsl";
+
+constexpr const char* spatial_buffer_a = R"glsl(
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+  ivec2 at = ivec2(fragCoord), place = ivec2(at.x / 2 * 2, at.y);
+  vec3 p = texelFetch(iChannel0, place, 0).xyz, v = texelFetch(iChannel0, place + ivec2(1, 0), 0).xyz;
+  if (iFrame == 0) {
+    p = vec3(400.0 + 40.0 * float(at.x / 2), 200.0 + 30.0 * float(at.y), 10.0 * float(at.y));
+    v = floor(texelFetch(iChannel1, place, 0).xyz * 255.0 + 0.5) / 64.0 - 2.0;
+  }
+  v += 1e-3 * cross(vec3(0.6, 0.0, 0.8), p - vec3(640.0, 360.0, 50.0));
+  v /= max(1.0, sqrt(dot(v, v)) / 3.0);
+  fragColor = vec4(at.x % 2 == 0 ? p + v : v, 0.0);
+}
+)glsl";
+
+TEST_F(FullShadertoyInChromium, AFlockInSpaceFliesAsInTheRunner) {
+  write("s/common.glsl", spatial_common);
+  write("s/buffer_a.glsl", spatial_buffer_a);
+  write("s/image.glsl", flock_image);
+  expect_agreement(path("s"));
+}
+
 TEST_F(FullShadertoyInChromium, WhatThePageRefusesIsAnError) {
   write("s/common.glsl", flock_common);
   write("s/buffer_a.glsl", flock_buffer_a);
