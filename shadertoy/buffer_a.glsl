@@ -26,10 +26,11 @@ vec2 random2(int boid, int frame, int purpose) {
   return (bytes.xz * 256.0 + bytes.yw) / 65536.0;
 }
 
-// sin of t quarter turns, t in [0, 1], by its Taylor series: the same on every driver.
+// sin of t quarter turns, t in [0, 1], by its Taylor series: the same on every driver. (Some turn a division by a constant
+// into a multiplication, so there is none.)
 float sine(float t) {
   float x = t * 1.57079633, x2 = x * x;
-  return x * (1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0 * (1.0 - x2 / 110.0)))));
+  return x * (1.0 + x2 * (-0.166666667 + x2 * (8.33333333e-3 + x2 * (-1.98412698e-4 + x2 * (2.75573192e-6 + x2 * -2.50521084e-8)))));
 }
 
 // The direction after `turns` whole turns from x to y.
@@ -99,7 +100,7 @@ vec3 contribution(int adds, vec3 o, float distance_squared, vec3 velocity) {
   if (adds == HEADING) return unit(velocity);
   if (adds == GROWS) return o;
   if (distance_squared < 1.2e-38) return vec3(0.0);
-  return o * (1.0 / (adds == FADES ? distance_squared : sqrt(distance_squared)));
+  return o / (adds == FADES ? distance_squared : sqrt(distance_squared));
 }
 
 // The sum over the neighbours that a term lets in, and in .w how many they are.
@@ -112,10 +113,10 @@ vec4 sum_over_neighbours(Term term, int boid, Boid self) {
     for (int i = first; i < last; ++i) {
       Boid other = boid_in(iChannel0, i);
       vec3 o = offset(self.position, other.position);
-      float distance_squared = dot(o, o);
+      float distance_squared = product(o, o);
       if (i == boid || distance_squared < term.inner_squared || distance_squared >= term.outer_squared) continue;
       bool is_seen = term.cos_half_view < -1.0 ||
-                     dot(self.velocity, o) >= term.cos_half_view * speed * sqrt(distance_squared);
+                     product(self.velocity, o) >= term.cos_half_view * speed * sqrt(distance_squared);
       if (!is_seen) continue;
       sum += vec4(contribution(term.adds, o, distance_squared, other.velocity), 1.0);
     }
@@ -139,11 +140,11 @@ vec3 felt(Term term, int boid, Boid self, float max_speed) {
   if (term.kind == ALIGNMENT) {
     vec3 own = term.adds == VELOCITY ? self.velocity : unit(self.velocity);
     if (sum.w == 0.0 && !(term.count_self == 1.0 && !term.relative)) return vec3(0.0);
-    vec3 average = (sum.xyz + term.count_self * own) * (1.0 / divisor);
+    vec3 average = (sum.xyz + term.count_self * own) / divisor;
     return term.relative ? average - own : average;
   }
   if (sum.w == 0.0) return vec3(0.0);
-  vec3 mean = sum.xyz * (1.0 / divisor);
+  vec3 mean = sum.xyz / divisor;
   if (term.kind == FLEE) {
     if (term.form == SEEK) return steered(SEEK, -mean, self.velocity, max_speed);
     return term.form == FACE ? -mean - unit(self.velocity) : -mean;
@@ -255,7 +256,9 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     fragColor.xyz = starts ? random_direction(random2(boid, 0, START_WANDER)) : wandered(boid);
   } else {
     int boid = texel / TEXELS_PER_BOID;
-    Boid next = starts ? start_of(boid) : next_of(boid);
+    Boid next;
+    if (starts) next = start_of(boid);
+    else next = next_of(boid);
     if (DIMENSIONS == 2) fragColor = vec4(next.position.xy, next.velocity.xy);
     else fragColor.xyz = texel % 2 == 0 ? next.position : next.velocity;
   }

@@ -114,11 +114,13 @@ Boid boid_in(sampler2D buffer_a, int boid) {
 vec3 world_min() { return WORLD_IS_WINDOW ? vec3(0.0) : MIN; }
 vec3 world_max(vec2 resolution) { return WORLD_IS_WINDOW ? vec3(resolution, 0.0) : MAX; }
 
-// sqrt(dot) rather than length and normalize: those are exact nowhere and differ between drivers.
-float size_of(vec3 v) { return sqrt(dot(v, v)); }
+// Drivers add the products of dot() in orders of their own, and length() and normalize() may be rough; these are the same
+// everywhere.
+float product(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+float size_of(vec3 v) { return sqrt(product(v, v)); }
 vec3 unit(vec3 v) {
   float size = size_of(v);
-  return size > 0.0 ? v * (1.0 / size) : vec3(0.0);
+  return size > 0.0 ? v / size : vec3(0.0);
 }
 
 // The view: in the plane flat and fitted to the window; in space a slow flight round the middle of the world.
