@@ -41,6 +41,9 @@ Status make_folder(const std::string& path);
 /// file.
 Status check_output(const std::string& path);
 
+/// The same for one file of any name, whatever its ending.
+Status check_file(const std::string& path);
+
 /// Whether a name means a video or a pattern of frames rather than one picture.
 bool is_movie_name(const std::string& path);
 

@@ -10,4 +10,5 @@
 #include <sturnus/shaders.h>
 #include <sturnus/simulation.h>
 #include <sturnus/steering.h>
+#include <sturnus/triangles.h>
 #include <sturnus/version.h>

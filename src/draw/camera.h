@@ -74,6 +74,10 @@ class Projection {
   const Vec<3>& right() const { return right_; }
   const Vec<3>& up() const { return up_; }
   const Vec<3>& forward() const { return forward_; }
+  /// Space: pixels for a step aside as long as the depth.
+  float pixels_per_slope() const { return scale_; }
+  /// Space: depth at which lines and triangles are cut off, world.
+  float nearest() const { return near_; }
 
  private:
   float depth_of(const Vec<3>& point) const { return dot(point - viewpoint_.eye, forward_); }

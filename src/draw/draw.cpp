@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/facets.h"
 #include "draw/glyphs.h"
+#include "draw/light.h"
 #include "draw/raster.h"
 
 namespace sturnus {
@@ -22,12 +24,6 @@ float nearness_of(const Projected& at, Layer layer) {
   return layer == Layer::above || !(at.depth > 0) ? on_top : 1.0f / at.depth;
 }
 
-Rgba faded(const Drawing& d, Rgba colour, float depth) {
-  Rgba ground = d.theme.background;
-  ground.a = colour.a;
-  return mix(colour, ground, d.theme.depth_fade * d.projection.fade(depth));
-}
-
 void add_segment(const Drawing& d, const Segment& segment) {
   Vec<3> from = segment.from;
   Vec<3> to = segment.to;
@@ -37,13 +33,14 @@ void add_segment(const Drawing& d, const Segment& segment) {
   if (!a.in_front || !b.in_front) return;
   const float opacity = static_cast<float>(segment.colour.a) / 255.0f;
   const float middle_depth = 0.5f * (a.depth + b.depth);
-  d.canvas.add(
-      LineShape{{a.x, a.y, nearness_of(a, segment.layer)},
-                {b.x, b.y, nearness_of(b, segment.layer)},
-                segment.width,
-                segment.layer == Layer::above ? segment.colour : faded(d, segment.colour, middle_depth),
-                std::clamp(segment.alpha_from, 0.0f, 1.0f) * opacity,
-                std::clamp(segment.alpha_to, 0.0f, 1.0f) * opacity});
+  d.canvas.add(LineShape{{a.x, a.y, nearness_of(a, segment.layer)},
+                         {b.x, b.y, nearness_of(b, segment.layer)},
+                         segment.width,
+                         segment.layer == Layer::above
+                             ? segment.colour
+                             : sunk(segment.colour, middle_depth, d.projection, d.theme),
+                         std::clamp(segment.alpha_from, 0.0f, 1.0f) * opacity,
+                         std::clamp(segment.alpha_to, 0.0f, 1.0f) * opacity});
 }
 
 void add_ring(const Drawing& d, const Ring& ring) {
@@ -53,7 +50,8 @@ void add_ring(const Drawing& d, const Ring& ring) {
   const float radius = ring.radius * at.scale;
   const float half = 0.5f * ring.width;
   const float hole = ring.width > 0 ? std::max(0.0f, radius - half) : -1.0f;
-  const Rgba colour = ring.layer == Layer::above ? ring.colour : faded(d, ring.colour, at.depth);
+  const Rgba colour =
+      ring.layer == Layer::above ? ring.colour : sunk(ring.colour, at.depth, d.projection, d.theme);
   d.canvas.add(DiscShape{{at.x, at.y, nearness_of(at, ring.layer)}, radius + half, hole, colour});
 }
 
@@ -166,6 +164,7 @@ void add_layer(const Drawing& d, const DrawList& list, Layer layer) {
 }
 
 void add_glyphs(const Drawing& d, const DrawList& list) {
+  for (const Facet& facet : list.facets) add_facet(facet, d.projection, d.theme, d.canvas);
   for (const Glyph& glyph : list.glyphs) add_glyph(glyph, d.projection, d.theme, d.canvas);
 }
 
@@ -177,7 +176,7 @@ Image draw(const DrawList& list, const Viewpoint& viewpoint, const Theme& theme,
   Canvas canvas;
   const Drawing d{projection, theme, size, canvas};
   const bool in_space = projection.in_space();
-  canvas.reserve(list.glyphs.size() * (in_space ? 4 : 1) + list.segments.size() + 1024);
+  canvas.reserve(list.glyphs.size() * (in_space ? 4 : 1) + list.facets.size() + list.segments.size() + 1024);
   if (in_space) {
     canvas.use_depth();
     // Lines do not hide, so in space they come after what hides them.

@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/light.h"
+
 namespace sturnus {
 namespace {
-
-constexpr float shade_at_night = 0.5f;  // brightness of a face turned away from the light
-
-Rgba shaded(Rgba colour, float light) {
-  const float brightness = shade_at_night + (1.0f - shade_at_night) * std::max(0.0f, light);
-  return {static_cast<std::uint8_t>(static_cast<float>(colour.r) * brightness + 0.5f),
-          static_cast<std::uint8_t>(static_cast<float>(colour.g) * brightness + 0.5f),
-          static_cast<std::uint8_t>(static_cast<float>(colour.b) * brightness + 0.5f), colour.a};
-}
 
 Spot spot(const Projected& at) {
   return {at.x, at.y, at.depth > 0 ? 1.0f / at.depth : on_top};
@@ -25,17 +18,10 @@ bool has_direction(const Vec<3>& heading) {
   return squared > 0 && std::isfinite(squared);
 }
 
-// Colour at a depth: the farther, the more of the background.
-Rgba faded(Rgba colour, float depth, const Projection& projection, const Theme& theme) {
-  Rgba ground = theme.background;
-  ground.a = colour.a;
-  return mix(colour, ground, theme.depth_fade * projection.fade(depth));
-}
-
 void add_disc(const Glyph& glyph, const Projected& at, const Projection& projection, const Theme& theme,
               Canvas& canvas) {
   const float radius = 0.5f * std::max(smallest_glyph, glyph.size * at.scale);
-  canvas.add(DiscShape{spot(at), radius, -1, faded(glyph.colour, at.depth, projection, theme)});
+  canvas.add(DiscShape{spot(at), radius, -1, sunk(glyph.colour, at.depth, projection, theme)});
 }
 
 void add_dart(const Glyph& glyph, const Projected& at, Canvas& canvas) {
@@ -66,12 +52,13 @@ void add_cone(const Glyph& glyph, const Projected& at, const Projection& project
     visible = visible && base[i].in_front;
   }
   if (!visible) return;
-  const Vec<3> light = unit(projection.up() * 0.7f - projection.right() * 0.3f - projection.forward() * 0.8f);
+  const Vec<3> light = towards_light(projection);
   const Vec<3> to_eye = projection.eye() - glyph.position;
   for (int i = 0; i < 4; ++i) {
-    Vec<3> normal = unit(cross(cone.base[i] - cone.nose, cone.base[i + 1] - cone.nose));
-    if (dot(normal, to_eye) < 0) normal *= -1.0f;  // the base is open: the inside may show
-    const Rgba colour = faded(shaded(glyph.colour, dot(normal, light)), at.depth, projection, theme);
+    // The base is open: the inside may show.
+    const Rgba lit =
+        lit_face(glyph.colour, cone.base[i] - cone.nose, cone.base[i + 1] - cone.nose, to_eye, light);
+    const Rgba colour = sunk(lit, at.depth, projection, theme);
     canvas.add(TriangleShape{{spot(nose), spot(base[i]), spot(base[i + 1])}, colour});
   }
 }
@@ -82,8 +69,8 @@ void add_ball(const Glyph& glyph, const Projected& at, const Projection& project
   ball.at = spot(at);
   ball.radius = 0.5f * std::max(smallest_glyph, glyph.size * at.scale);
   ball.depth_radius = 0.5f * glyph.size;
-  ball.colour = faded(glyph.colour, at.depth, projection, theme);
-  ball.shadow = faded(shaded(glyph.colour, 0), at.depth, projection, theme);
+  ball.colour = sunk(glyph.colour, at.depth, projection, theme);
+  ball.shadow = sunk(shaded(glyph.colour, 0), at.depth, projection, theme);
   canvas.add(ball);
 }
 

@@ -30,6 +30,10 @@ Status check_output(const std::string& path) {
     return frames ? Status() : Status(frames.problems());
   }
   if (is_video_name(path)) return check_video(path);
+  return check_file(path);
+}
+
+Status check_file(const std::string& path) {
   return is_stream(path) ? Status() : check_writable(path);
 }
 

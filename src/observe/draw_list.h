@@ -1,6 +1,7 @@
 // What is to be drawn, as plain data in world coordinates, for whoever draws it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ struct Glyph {
   float size = 1;
   Rgba colour;
   GlyphKind kind = GlyphKind::dart;
+};
+
+/// A flat-shaded triangle, seen and lit from both sides.
+struct Facet {
+  std::array<Vec<3>, 3> corners;  ///< world
+  Rgba colour;                    ///< in full light
 };
 
 /// A straight line whose opacity may change along the way, such as a piece of a trail.
@@ -88,12 +95,14 @@ struct Label {
   bool plate = false;  ///< a faint plate in the background's colour behind it, for crowded pictures
 };
 
-/// Everything in one picture. Drawn in this order: boxes; segments and rings below; glyphs; segments and
-/// rings above; arrows; labels. Within one list, later items cover earlier ones, except where depth decides.
+/// Everything in one picture. Drawn in this order: boxes; segments and rings below; facets; glyphs; segments
+/// and rings above; arrows; labels. Within one list, later items cover earlier ones, except where depth
+/// decides.
 struct DrawList {
   std::vector<Box> boxes;
   std::vector<Segment> segments;
   std::vector<Ring> rings;
+  std::vector<Facet> facets;
   std::vector<Glyph> glyphs;
   std::vector<Arrow> arrows;
   std::vector<Label> labels;
@@ -103,6 +112,7 @@ struct DrawList {
     boxes.clear();
     segments.clear();
     rings.clear();
+    facets.clear();
     glyphs.clear();
     arrows.clear();
     labels.clear();
