@@ -20,6 +20,15 @@ Value parse_value(std::string_view text);
 /// The same value as TOML text.
 std::string to_text(const Value& value);
 
+/// One `key = value` of a file of settings, and the line on which it stands.
+struct Entry {
+  std::string key;
+  Value value;
+  int line = 0;  ///< 1-based
+};
+/// A file of plain settings, for programs: TOML without tables. The entries come in the order of the file.
+Result<std::vector<Entry>> parse_entries(const std::string& text, const std::string& file);
+
 /// What is known of a parameter besides its value.
 struct About {
   const char* unit;        ///< "length", "length per time", "degrees", "" for a plain number

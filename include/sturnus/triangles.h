@@ -28,22 +28,22 @@ struct Line3 {
 
 /// Where a picture is taken from. The light comes from above the viewer's left shoulder.
 struct SpaceCamera {
-  Point3 eye{0, 0, 2};        ///< length; where the viewer stands, not on the target
-  Point3 target{};            ///< length; what is in the middle of the picture
-  Point3 up{0, 1, 0};         ///< what points up in the picture, any length
-  float field_of_view = 35;   ///< degrees, the full vertical angle, 1 to 170
-  float fade_from = 0;        ///< length; the distance at which colours begin to sink into the background
-  float fade_to = 0;          ///< length; where they have; no fading unless this is above fade_from
+  Point3 eye{0, 0, 2};       ///< length; where the viewer stands, not on the target
+  Point3 target{};           ///< length; what is in the middle of the picture
+  Point3 up{0, 1, 0};        ///< what points up in the picture, any length
+  float field_of_view = 35;  ///< degrees, the full vertical angle, 1 to 170
+  float fade_from = 0;       ///< length; the distance at which colours begin to sink into the background
+  float fade_to = 0;         ///< length; where they have; no fading unless this is above fade_from
 };
 
-/// Draws triangles that hide one another, then the lines. A corner that is no finite number leaves its triangle
-/// or line out; what reaches behind the viewer is cut off. `threads` 0: one for each core; the picture does not
-/// depend on it.
+/// Draws triangles that hide one another, then the lines. A corner that is no finite number leaves its
+/// triangle or line out; what reaches behind the viewer is cut off. `threads` 0: one for each core; the
+/// picture does not depend on it.
 Image draw_triangles(const std::vector<Triangle>& triangles, const std::vector<Line3>& lines,
                      const SpaceCamera& camera, const PictureOptions& options = {}, int threads = 0);
 
-/// The direction, of unit depth along the view, from the camera's eye through a place in the picture. `x` in pixels
-/// from the left edge, `y` from the top; a pixel's middle is at a half.
+/// The direction, of unit depth along the view, from the camera's eye through a place in the picture. `x` in
+/// pixels from the left edge, `y` from the top; a pixel's middle is at a half.
 Point3 direction_through(const SpaceCamera& camera, Size size, float x, float y);
 
 /// A right-handed set of unit vectors that are at right angles.
@@ -53,8 +53,8 @@ struct Frame3 {
   Point3 w{0, 0, 1};
 };
 
-/// The frame whose w points along a direction of any length, by the method of Shirley and Marschner, 2.4.6: from a
-/// single vector. Nothing where there is no direction: zero, or a component that is no finite number.
+/// The frame whose w points along a direction of any length, by the method of Shirley and Marschner, 2.4.6:
+/// from a single vector. Nothing where there is no direction: zero, or a component that is no finite number.
 std::optional<Frame3> frame_along(const Point3& direction);
 
 }  // namespace sturnus

@@ -290,6 +290,27 @@ Problem syntax_problem(const toml::parse_error& error, const std::string& file) 
 
 }  // namespace
 
+Result<std::vector<Entry>> parse_entries(const std::string& text, const std::string& file) {
+  const toml::parse_result parsed = toml::parse(std::string_view(text), std::string_view(file));
+  if (parsed.failed()) return syntax_problem(parsed.error(), file);
+  std::vector<Entry> entries;
+  Problems problems;
+  for (const auto& [key, node] : parsed.table()) {
+    const int line = Reading::line_of(node);
+    auto value = value_of(node);
+    if (value) {
+      entries.push_back({std::string(key.str()), std::move(*value), line});
+    } else {
+      problems.push_back({file, line, std::string(key.str()),
+                          "must be a number, a text, true, false or a list of them", false});
+    }
+  }
+  if (!problems.empty()) return problems;
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.line < b.line; });
+  return entries;
+}
+
 Result<ScenarioDef> parse_scenario(const std::string& text, const std::string& file, Problems* problems) {
   const toml::parse_result parsed = toml::parse(std::string_view(text), std::string_view(file));
   Reading reading;
