@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t argument_count = 6;
 constexpr const char* argument_names[argument_count] = {"N", "R", "ws", "wa", "wc", "out.ppm"};
 constexpr double largest_weight = 1e9;
-constexpr double most_boids = 1e15;  // a count beyond this is a slip; below it the memory decides
+constexpr double most_boids = 1e9;  // as many as the library takes; below that the memory decides
 
 // The words, told apart.
 struct Words {

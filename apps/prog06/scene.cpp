@@ -35,8 +35,8 @@ sturnus::SpaceCamera camera_of(const Choices& choices) {
   // Distance shows as haze, over the depth of the cube.
   const Point3 view = minus(camera.target, camera.eye);
   const float distance = std::sqrt(dot(view, view));
-  camera.fade_from = std::max(0.0f, distance - 0.7f);
-  camera.fade_to = distance + 1.1f;
+  camera.fade_from = std::max(0.0f, distance - 0.4f);
+  camera.fade_to = distance + 1.4f;
   return camera;
 }
 

@@ -34,10 +34,10 @@ class Window {
   };
   std::string open(sturnus::Size size);
 
-  std::string failure_;
   std::unique_ptr<SDL_Window, Closer> window_;
   std::unique_ptr<SDL_Renderer, Closer> renderer_;
   std::unique_ptr<SDL_Texture, Closer> texture_;
+  std::string failure_;  // made last: opening fills the three above
 };
 
 }  // namespace prog06

@@ -1,0 +1,60 @@
+// What the tests of prog06 share: its words, its surroundings and its pictures.
+#pragma once
+
+#include <sturnus/picture.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "program.h"
+
+namespace program_test {
+
+/// A variable of the surroundings, for as long as this lives.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+  ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
+
+ private:
+  const char* name_;
+  std::string before_;
+};
+
+inline Words prog06_words(const Words& arguments) {
+  Words words = {PROG06_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+/// The words of a line with single spaces between them.
+inline Words split(const std::string& line) {
+  Words words;
+  std::size_t begin = 0;
+  while (begin < line.size()) {
+    const std::size_t end = std::min(line.find(' ', begin), line.size());
+    if (end > begin) words.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// A picture from the bytes of a PPM file; empty when they are not one.
+inline sturnus::Image ppm_picture(const std::string& bytes) {
+  sturnus::Image image;
+  int skipped = 0;
+  if (std::sscanf(bytes.c_str(), "P6\n%d %d\n255%n", &image.width, &image.height, &skipped) != 2) return {};
+  const std::size_t size = 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::size_t begin = static_cast<std::size_t>(skipped) + 1;
+  if (bytes.size() != begin + size) return {};
+  image.rgb.assign(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end());
+  return image;
+}
+
+}  // namespace program_test
