@@ -21,11 +21,17 @@ void set_pointer(ScenarioDef& scenario) {
   scenario.pointer.weight = 2;
 }
 
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
 Status set_parameters(const Choices& choices, ScenarioDef& scenario) {
   for (const std::string& text : choices.parameters) {
     const auto equals = text.find('=');
-    Status status = sturnus::set_parameter(scenario, text.substr(0, equals),
-                                           sturnus::parse_value(text.substr(equals + 1)));
+    Status status = sturnus::set_parameter(scenario, trimmed(text.substr(0, equals)),
+                                           sturnus::parse_value(trimmed(text.substr(equals + 1))));
     if (!status) return status;
   }
   if (scenario.space.dimensions == choices.dimensions) return {};

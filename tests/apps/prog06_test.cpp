@@ -141,7 +141,7 @@ TEST_F(Prog06, APictureThatCannotBeWrittenIsToldAndTheProgramGoesOn) {
 }
 
 TEST_F(Prog06, SettingsComeFromAFileAndTheCommandLineWins) {
-  write("c.toml", "size = [48, 32]\nboid_size = 0.3\nset = [\"flock.boids.max_speed=0.01\"]\n");
+  write("c.toml", "size = [48, 32]\nboid_size = 0.3\nset = [\" flock.boids.max_speed = 0.01\"]\n");
   const Words words = split("9 0.4 0.1 0.3 1 out.ppm --config c.toml --keys wq");
   EXPECT_EQ(start(words).code, 0);
   const Image from_file = ppm_picture(read("out.ppm"));

@@ -52,7 +52,7 @@ TEST(Triangles, ALineIsHiddenByWhatIsInFrontOfIt) {
   const Image hidden = draw_triangles({at_height(1, red)}, {line}, from_above(), small(), 1);
   EXPECT_EQ(open.at(60, 40).g, 255);
   EXPECT_EQ(hidden.at(60, 40).g, 0);
-  EXPECT_EQ(hidden.at(5, 40).g, 255);
+  EXPECT_EQ(hidden.at(15, 40).g, 255);
 }
 
 TEST(Triangles, BothSidesAreLitByTheFaceAndNotByTheOrderOfCorners) {
