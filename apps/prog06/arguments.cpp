@@ -55,8 +55,10 @@ class Reader {
   void take_option(const std::string& word) {
     const auto equals = word.find('=');
     const std::string name = word.substr(0, equals);
-    if (name == "-h" || name == "--help") return void(request_.help = true);
+    const bool is_switch = name == "-h" || name == "--help" || name == "--3d";
+    if (is_switch && equals != std::string::npos) return complain(name + " takes no value");
     if (name == "--3d") return found_.options.emplace_back("dimensions", "3"), void();
+    if (is_switch) return void(request_.help = true);
     std::string key = name.substr(2);
     std::replace(key.begin(), key.end(), '-', '_');
     if (key != "config" && key != "keys" && setting_of(key) == nullptr) return complain(unknown(name));
@@ -123,7 +125,8 @@ class Reader {
     if (stop != end || (error != std::errc() && !out_of_range)) {
       return complain(name + " must be a number, but is \"" + word + "\"");
     }
-    if (out_of_range || !std::isfinite(number)) {
+    if (out_of_range) return complain(name + " is out of range: " + word);
+    if (!std::isfinite(number)) {
       return complain(name + " must be a finite number, but is \"" + word + "\"");
     }
     if (number < low)
@@ -149,7 +152,7 @@ class Reader {
       if (!error.empty()) complain(option_name(key) + " " + error);
     }
     const Choices& choices = request_.choices;
-    if (choices.eye == choices.target) complain("eye and target are the same place");
+    if (eye_of(choices) == choices.target) complain("eye and target are the same place");
   }
 
   static std::string option_name(std::string key) {

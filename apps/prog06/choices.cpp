@@ -3,6 +3,7 @@
 
 #include <sturnus/files.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -136,6 +137,11 @@ std::string unknown_setting(const std::string& key) {
 }
 
 }  // namespace
+
+sturnus::Point3 eye_of(const Choices& choices) {
+  constexpr sturnus::Point3 above = {0, 0, 2}, aside = {0.9f, 0.7f, 2.1f};
+  return choices.eye.value_or(choices.dimensions == 2 ? above : aside);
+}
 
 const std::vector<Setting>& settings() {
   static const std::vector<Setting> all = {

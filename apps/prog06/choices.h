@@ -22,7 +22,7 @@ struct Choices {
   std::string picture;     ///< where the key w writes
 
   sturnus::Size size{720, 720};         ///< of the window and the picture, pixels
-  std::optional<sturnus::Point3> eye;   ///< length; not given: above the box, or in 3D before it
+  std::optional<sturnus::Point3> eye;   ///< length; not given: see `eye_of`
   sturnus::Point3 target{};             ///< length; what the camera looks at
   double field_of_view = 40;            ///< degrees, vertical
   double boid_size = 0.06;              ///< factor on the cone of the assignment, which is 0.5 long
@@ -32,6 +32,10 @@ struct Choices {
 
   std::string keys;  ///< keys that press themselves, one a frame
 };
+
+/// Where the camera stands when it is not chosen: above the flat box, or aside of the cube, whose depth would
+/// not show otherwise.
+sturnus::Point3 eye_of(const Choices& choices);
 
 /// One setting of a file (`boid_size = 0.1`) and of the command line (`--boid-size 0.1`).
 struct Setting {

@@ -3,6 +3,7 @@
 
 #include <sturnus/scenario.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace prog06 {
@@ -14,8 +15,6 @@ using sturnus::Point3;
 constexpr sturnus::Rgba edge_colour = sturnus::rgb(0x2f3b46);
 constexpr sturnus::Rgba attract_colour = sturnus::rgb(0x56b4e9);
 constexpr sturnus::Rgba repel_colour = sturnus::rgb(0xd55e00);
-constexpr Point3 flat_eye = {0, 0, 2};
-constexpr Point3 space_eye = {0.9f, 0.7f, 2.1f};  // from the side, or depth would not show
 
 float dot(const Point3& a, const Point3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -27,11 +26,10 @@ Point3 minus(const Point3& a, const Point3& b) {
 
 sturnus::SpaceCamera camera_of(const Choices& choices) {
   sturnus::SpaceCamera camera;
-  const bool is_flat = choices.dimensions == 2;
-  camera.eye = choices.eye.value_or(is_flat ? flat_eye : space_eye);
+  camera.eye = eye_of(choices);
   camera.target = choices.target;
   camera.field_of_view = static_cast<float>(choices.field_of_view);
-  if (is_flat) return camera;
+  if (choices.dimensions == 2) return camera;
   // Distance shows as haze, over the depth of the cube.
   const Point3 view = minus(camera.target, camera.eye);
   const float distance = std::sqrt(dot(view, view));

@@ -34,8 +34,11 @@ Window::~Window() {
 }
 
 std::string Window::open(sturnus::Size size) {
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return reason("there is no display to open a window on");
   if (shows_nothing()) return "prog06: there is no display to open a window on";
+  // A window that rests most of the time keeps nobody's desktop from its effects, and no screen awake.
+  SDL_EnableScreenSaver();
   window_.reset(SDL_CreateWindow("prog06", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, size.width,
                                  size.height, SDL_WINDOW_SHOWN));
   if (!window_) return reason("the window can't be opened");

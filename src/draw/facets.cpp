@@ -12,12 +12,15 @@ namespace {
 // shapes with larger coordinates; pictures end well before.
 constexpr float widest = 30000.0f;
 
-// A triangle that five planes have cut has at most eight corners.
+// A triangle that five planes have cut has at most eight corners. Rounding may add a few where it is next to
+// nothing; those without a place would not be seen.
 struct Polygon {
-  std::array<Vec<3>, 8> at;
+  std::array<Vec<3>, 12> at;
   std::size_t count = 0;
 
-  void add(const Vec<3>& corner) { at[count++] = corner; }
+  void add(const Vec<3>& corner) {
+    if (count < at.size()) at[count++] = corner;
+  }
 };
 
 // What lies where dot(p - eye, normal) is at least `least`.
