@@ -34,6 +34,8 @@ Window::~Window() {
 }
 
 std::string Window::open(sturnus::Size size) {
+  // Otherwise SDL would load OpenGL only to copy a finished picture.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return reason("there is no display to open a window on");
   if (shows_nothing()) return "prog06: there is no display to open a window on";
