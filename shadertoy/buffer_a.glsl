@@ -30,7 +30,8 @@ vec2 random2(int boid, int frame, int purpose) {
 // into a multiplication, so there is none.)
 float sine(float t) {
   float x = t * 1.57079633, x2 = x * x;
-  return x * (1.0 + x2 * (-0.166666667 + x2 * (8.33333333e-3 + x2 * (-1.98412698e-4 + x2 * (2.75573192e-6 + x2 * -2.50521084e-8)))));
+  float high = -1.98412698e-4 + x2 * (2.75573192e-6 + x2 * -2.50521084e-8);
+  return x * (1.0 + x2 * (-0.166666667 + x2 * (8.33333333e-3 + x2 * high)));
 }
 
 // The direction after `turns` whole turns from x to y.
@@ -56,6 +57,9 @@ vec3 random_in_cube(int boid, int purpose) {
   return 2.0 * vec3(xy, z) - 1.0;
 }
 
+// Whether a number is one, and not too large to reckon with.
+bool is_sound(vec3 v) { return abs(v.x) <= 1e15 && abs(v.y) <= 1e15 && abs(v.z) <= 1e15; }
+
 // ---- the start ----
 
 vec3 start_place(int boid, Start start) {
@@ -63,7 +67,8 @@ vec3 start_place(int boid, Start start) {
   if (start.outer > 0.0) {  // a ball, or a ring
     float power = float(DIMENSIONS);
     float r = pow(mix(pow(start.inner, power), pow(start.outer, power), u.x), 1.0 / power);
-    return start.low + r * random_direction(u.yz);
+    vec3 centre = start.in_space ? 0.5 * (world_min() + world_max(iResolution.xy)) : start.low;
+    return centre + r * random_direction(u.yz);
   }
   vec3 low = start.in_space ? world_min() : start.low;
   vec3 high = start.in_space ? world_max(iResolution.xy) : start.high;
@@ -77,7 +82,9 @@ Boid start_of(int boid) {
   float speed = start.min_speed + (start.max_speed - start.min_speed) * u.x;
   vec3 heading = start.heading;
   if (heading == vec3(0.0)) heading = random_direction(vec2(u.y, random2(boid, 0, START_DEPTH).y));
-  return Boid(start_place(boid, start), heading * speed);
+  Boid first = Boid(start_place(boid, start), heading * speed);
+  if (!is_sound(first.position) || !is_sound(first.velocity)) first = Boid(world_min(), vec3(0.0));
+  return first;
 }
 
 // ---- neighbours ----
@@ -236,6 +243,7 @@ Boid next_of(int boid) {
   keep_inside(position.x, velocity.x, low.x, high.x);
   keep_inside(position.y, velocity.y, low.y, high.y);
   if (DIMENSIONS == 3) keep_inside(position.z, velocity.z, low.z, high.z);
+  if (!is_sound(position) || !is_sound(velocity)) return Boid(self.position, vec3(0.0));
   return Boid(position, velocity);
 }
 
@@ -243,14 +251,14 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
   fragColor = vec4(0.0);
   ivec2 at = ivec2(fragCoord);
   int texel = at.y * ROW + at.x;
-  if (at.x >= ROW || texel > READY_TEXEL) return;
+  if (at.x >= ROW || texel > STAMP_TEXEL) return;
 
-  // The flock starts in the first frame, or as soon as the site has loaded the noise.
-  bool starts = iFrame == 0 || texelFetch(iChannel0, texel_at(READY_TEXEL), 0).x == 0.0;
+  // The flock starts in the first frame, as soon as the site has loaded the noise, or when another one was there.
+  bool starts = iFrame == 0 || texelFetch(iChannel0, texel_at(STAMP_TEXEL), 0) != STAMP;
   if (starts && textureSize(iChannel1, 0).x < 2) return;
 
-  if (texel == READY_TEXEL) {
-    fragColor = vec4(1.0);
+  if (texel == STAMP_TEXEL) {
+    fragColor = STAMP;
   } else if (texel >= FIRST_WANDER_TEXEL) {
     int boid = texel - FIRST_WANDER_TEXEL;
     fragColor.xyz = starts ? random_direction(random2(boid, 0, START_WANDER)) : wandered(boid);

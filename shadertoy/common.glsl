@@ -7,8 +7,8 @@ const int GROWS = 0, CONSTANT = 1, FADES = 2, VELOCITY = 3, HEADING = 4;
 const int FACE = 0, SEEK = 1, LINEAR = 2;
 const int OPEN = 0, WRAP = 1, TURN = 2, BOUNCE = 3;
 
-// Where the boids of a flock begin: in the whole world, in the box from low to high, or, with outer > 0, in the ring
-// or ball about low. A heading of zero is every boid's own.
+// Where the boids of a flock begin: in the box from low to high, or, with outer > 0, in the ring or ball about low;
+// in_space takes the whole world for the box, or its middle for the ring. A heading of zero is every boid's own.
 struct Start {
   bool in_space;
   vec3 low, high;
@@ -83,11 +83,12 @@ const Term TERMS[4] = Term[](
 // The texels of Buffer A, row by row in a block at the lower left that is ROW texels wide, so that it outlives a
 // change of the window's size. In the plane boid i has texel i: position.xy, velocity.xy. In space it has the
 // even texel 2i for its position and the odd one after it for its velocity. Behind them lie the directions of
-// boids that wander, and one texel that tells that there is a flock.
-const int ROW = 128;
+// boids that wander, and one texel with a stamp: another flock than the one there was begins anew.
+const int ROW = 64;
 const int TEXELS_PER_BOID = DIMENSIONS == 3 ? 2 : 1;
 const int FIRST_WANDER_TEXEL = COUNT * TEXELS_PER_BOID;
-const int READY_TEXEL = FIRST_WANDER_TEXEL + (WANDERS ? COUNT : 0);
+const int STAMP_TEXEL = FIRST_WANDER_TEXEL + (WANDERS ? COUNT : 0);
+const vec4 STAMP = vec4(COUNT, DIMENSIONS, WANDERS ? FLOCK_COUNT : -FLOCK_COUNT, 1u + (SEED & 0xffffu));
 
 ivec2 texel_at(int number) { return ivec2(number % ROW, number / ROW); }
 ivec2 texel_of(int boid) { return texel_at(boid * TEXELS_PER_BOID); }

@@ -43,16 +43,42 @@ void thin_out(ScenarioDef& scenario) {
   for (sturnus::FlockDef& flock : scenario.flocks) {
     if (flock.count > 0) flock.count = std::max<std::int64_t>(1, flock.count * usual_most / all);
   }
-  tell("note: " + counted(static_cast<std::uint64_t>(scenario.boid_count()), "boid") + " instead of " +
-       std::to_string(all) + "; --count or --set flock.NAME.count=N says how many there shall be");
 }
 
-int write_shaders(const ShadertoyOptions& options) {
+// What somebody who asked for a flock should know about the one that there is.
+void tell_count(std::int64_t wanted, std::int64_t written) {
+  if (written < wanted) {
+    tell("note: " + counted(static_cast<std::uint64_t>(written), "boid") + " instead of " +
+         std::to_string(wanted) + "; --count or --set flock.NAME.count=N says how many there shall be");
+  } else if (written > usual_most) {
+    tell("note: " + counted(static_cast<std::uint64_t>(written), "boid") +
+         ": every pixel looks at each of them, which is slow on a small graphics card");
+  }
+}
+
+// The command as typed, but for the folder.
+std::string command_of(const std::vector<std::string>& words) {
+  std::string command = "sturnus";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "-o" || word == "--output") {
+      ++i;
+    } else if (!word.starts_with("--output=") && !word.starts_with("-o")) {
+      command +=
+          word.find_first_of(" '\"\\$*?[]{}();&|<>") == std::string::npos ? " " + word : " '" + word + "'";
+    }
+  }
+  return command;
+}
+
+int write_shaders(const ShadertoyOptions& options, const std::vector<std::string>& words) {
   auto scenario = effective_scenario(options.scenario);
   if (!scenario) return refuse(scenario.problems());
+  const std::int64_t wanted = scenario->boid_count();
   if (!options.names_count()) thin_out(*scenario);
-  const auto tabs = shadertoy_tabs(*scenario, options.shader_world());
+  const auto tabs = shadertoy_tabs(*scenario, {options.shader_world(), command_of(words)});
   if (!tabs) return refuse(tabs.problems());
+  tell_count(wanted, scenario->boid_count());
 
   sturnus::Status status = sturnus::make_folder(options.folder);
   for (const sturnus::ShaderTab& tab : *tabs) {
@@ -71,7 +97,10 @@ int write_shaders(const ShadertoyOptions& options) {
 
 void add_shadertoy(CLI::App& app, Request& request) {
   CLI::App* command = add_command(
-      app, "shadertoy", "Write a scenario as shaders to paste into the site Shadertoy",
+      app, "shadertoy",
+      "Write a scenario as shaders to paste into the site Shadertoy: at most 4096 boids, 300 unless told; of "
+      "the looks only "
+      "colours and sizes count",
       {"sturnus shadertoy ucsd -o shaders", "sturnus shadertoy ucsd-predator -o shaders --count 500",
        "sturnus shadertoy prog06 -o shaders --set flock.boids.cohesion.weight=0.2"});
   const auto options = std::make_shared<ShadertoyOptions>();
@@ -83,7 +112,9 @@ void add_shadertoy(CLI::App& app, Request& request) {
       *command, "--world", options->world, {"automatic", "window", "scenario"},
       "The world is the window, a unit a pixel, or the scenario's space fitted into it (default: the window "
       "where the space is measured in pixels)");
-  command->callback([&request, options] { request.work = [options] { return write_shaders(*options); }; });
+  command->callback([&request, options] {
+    request.work = [options, words = request.words] { return write_shaders(*options, words); };
+  });
 }
 
 }  // namespace program

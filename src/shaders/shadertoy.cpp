@@ -19,9 +19,11 @@ constexpr std::string_view numbers_end = "// ---- end of numbers ----\n";
 
 class Objections {
  public:
-  explicit Objections(const ScenarioDef& scenario) : scenario_(scenario) {}
+  Objections(const ScenarioDef& scenario, ShaderWorld world) : scenario_(scenario), world_(world) {}
 
   Problems all() {
+    if (world_ == ShaderWorld::window && scenario_.space.dimensions == 3)
+      object("space.dimensions", "a space of three dimensions can't be the window");
     if (!scenario_.run.events.empty()) object("run.events", "a shader has no events");
     if (!scenario_.run.initial.empty()) object("run.initial", "a shader can't read boids from a file");
     if (scenario_.flocks.size() > 31) object("flock", "a shader has at most 31 flocks");
@@ -62,6 +64,7 @@ class Objections {
   }
 
   const ScenarioDef& scenario_;
+  ShaderWorld world_;
   Problems problems_;
 };
 
@@ -218,31 +221,35 @@ std::vector<Row> flock_rows(const ScenarioDef& scenario, const Model& model) {
   return rows;
 }
 
-Row start_row(const FlockDef& flock, const Model& model) {
+Row start_row(const FlockDef& flock) {
   const Start& start = flock.start;
   const bool is_round = start.region == StartRegion::ball || start.region == StartRegion::ring;
-  std::array<float, 3> low = vec_of(is_round ? start.centre : start.min);
-  for (std::size_t axis = 0; axis < 3 && is_round && start.centre.empty(); ++axis)
-    low[axis] = model.min[axis] + 0.5f * model.size[axis];
+  const bool in_space = start.region == StartRegion::space || (is_round && start.centre.empty());
+  const std::array<float, 3> low = vec_of(is_round ? start.centre : start.min);
   std::array<float, 3> heading = vec_of(start.heading);
   const float size = std::hypot(heading[0], heading[1], heading[2]);
   for (float& component : heading) component /= size > 0 ? size : 1;
-  return {call("Start", start.region == StartRegion::space, low, vec_of(start.max),
-               start.region == StartRegion::ring ? start.inner : 0.0, is_round ? start.radius : 0.0,
-               start.min_speed, start.max_speed, heading),
-          flock.name};
+  return {
+      call("Start", in_space, low, vec_of(start.max), start.region == StartRegion::ring ? start.inner : 0.0,
+           is_round ? start.radius : 0.0, start.min_speed, start.max_speed, heading),
+      flock.name};
 }
 
-bool is_window(const Model& model, ShaderWorld world) {
-  if (model.dimensions == 3) return false;
+bool starts_at_a_place(const FlockDef& flock) {
+  return flock.start.region == StartRegion::box || !flock.start.centre.empty();
+}
+
+bool is_window(const ScenarioDef& scenario, const Model& model, ShaderWorld world) {
   if (world != ShaderWorld::automatic) return world == ShaderWorld::window;
+  if (model.dimensions == 3 || std::any_of(scenario.flocks.begin(), scenario.flocks.end(), starts_at_a_place))
+    return false;
   return model.min[0] == 0 && model.min[1] == 0 && model.size[0] >= 256 && model.size[1] >= 256;
 }
 
 std::string space_and_time(const ScenarioDef& scenario, const Model& model, ShaderWorld world) {
   std::string out;
   out += constant("int", "DIMENSIONS", model.dimensions);
-  out += constant("bool", "WORLD_IS_WINDOW", is_window(model, world),
+  out += constant("bool", "WORLD_IS_WINDOW", is_window(scenario, model, world),
                   "one unit a pixel; otherwise from MIN to MAX");
   out += constant("vec3", "MIN", model.min);
   out += constant("vec3", "MAX", model.max);
@@ -269,10 +276,10 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-std::string numbers(const ScenarioDef& scenario, ShaderWorld world) {
+std::string numbers(const ScenarioDef& scenario, const ShaderOptions& options) {
   const Model model = compile(scenario);
   std::vector<Row> starts;
-  for (const FlockDef& flock : scenario.flocks) starts.push_back(start_row(flock, model));
+  for (const FlockDef& flock : scenario.flocks) starts.push_back(start_row(flock));
   std::vector<Row> terms = term_rows(scenario, model);
   const std::size_t term_count = terms.size();
   if (terms.empty())
@@ -280,10 +287,11 @@ std::string numbers(const ScenarioDef& scenario, ShaderWorld world) {
 
   std::string out = say("// ", in_one_line(scenario.title.empty() ? scenario.name : scenario.title));
   if (!scenario.source.empty()) out += say(", after ", in_one_line(scenario.source));
-  out += say("\n// Written by: sturnus shadertoy ", in_one_line(scenario.name), "\n");
+  out += "\n";
+  if (!options.written_by.empty()) out += say("// Written by: ", in_one_line(options.written_by), "\n");
   out += constant("int", "COUNT", static_cast<std::size_t>(scenario.boid_count()), "boids");
   out += constant("bool", "WANDERS", model.uses_wander);
-  out += space_and_time(scenario, model, world) + mouse(model);
+  out += space_and_time(scenario, model, options.world) + mouse(model);
   out += constant("int", "FLOCK_COUNT", scenario.flocks.size());
   out += table("Flock", "FLOCKS", flock_rows(scenario, model));
   out += table("Start", "STARTS", starts);
@@ -294,11 +302,11 @@ std::string numbers(const ScenarioDef& scenario, ShaderWorld world) {
 
 }  // namespace
 
-Result<std::vector<ShaderTab>> shadertoy_tabs(const ScenarioDef& scenario, ShaderWorld world) {
-  if (Problems problems = Objections(scenario).all(); !problems.empty()) return problems;
+Result<std::vector<ShaderTab>> shadertoy_tabs(const ScenarioDef& scenario, const ShaderOptions& options) {
+  if (Problems problems = Objections(scenario, options.world).all(); !problems.empty()) return problems;
   std::string common = common_tab;
   const auto begin = common.find(numbers_begin) + numbers_begin.size();
-  common.replace(begin, common.find(numbers_end) - begin, numbers(scenario, world));
+  common.replace(begin, common.find(numbers_end) - begin, numbers(scenario, options));
   return std::vector<ShaderTab>{
       {"common.glsl", common}, {"buffer_a.glsl", buffer_a_tab}, {"image.glsl", image_tab}};
 }

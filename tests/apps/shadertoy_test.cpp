@@ -1,6 +1,7 @@
 // The Shadertoy flock: the shipped tabs are current, what a shader can't express is refused, the shaders do
 // what their transcript does, and one step of the engine does what one frame does.
 #include <sturnus/files.h>
+#include <sturnus/parameters.h>
 #include <sturnus/simulation.h>
 
 #include <algorithm>
@@ -152,7 +153,9 @@ TEST_F(Shadertoy, BakesAtMostThreeHundredBoidsUnlessTold) {
   };
   EXPECT_EQ(count({"ucsd"}).first, "300");
   EXPECT_SAYS(count({"ucsd"}).second, "300 boids instead of 1000");
-  EXPECT_EQ(count({"ucsd", "--count", "700"}), std::make_pair(std::string("700"), std::string()));
+  EXPECT_EQ(count({"ucsd", "--count", "700"}).first, "700");
+  EXPECT_SAYS(count({"ucsd", "--count", "700"}).second, "700 boids: every pixel looks at each of them");
+  EXPECT_EQ(count({"ucsd", "--count", "200"}).second, "");
   EXPECT_EQ(count({"ucsd", "--set", "flock.birds.count=20"}).first, "20");
   EXPECT_EQ(count({"two-flocks"}).first, "300");
 }
@@ -166,6 +169,72 @@ TEST_F(Shadertoy, BakesTheScenariosNumbers) {
   EXPECT_SAYS(text, "WORLD_IS_WINDOW = true");
   run_well({"shadertoy", "ucsd", "-o", path("out"), "--world", "scenario"});
   EXPECT_SAYS(read("out/common.glsl"), "WORLD_IS_WINDOW = false");
+}
+
+TEST_F(Shadertoy, TellsTheCommandThatMakesTheTabsAgain) {
+  run_well(
+      {"shadertoy", "ucsd", "-o", path("out"), "--count", "20", "--set", "space.boundary.margin=[100, 80]"});
+  EXPECT_SAYS(read("out/common.glsl"),
+              "// Written by: sturnus shadertoy ucsd --count 20 --set 'space.boundary.margin=[100, 80]'\n");
+}
+
+TEST_F(Shadertoy, SpaceIsNotAWindow) {
+  const Ended ended = run({"shadertoy", "vuw-core", "-o", path("out"), "--world", "window"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_SAYS(ended.err, "space.dimensions: a space of three dimensions can't be the window");
+}
+
+// Another flock pasted over one that flies must not take its texels for its own.
+TEST_F(Shadertoy, AnotherFlockBeginsAnew) {
+  run_well({"shadertoy", "ucsd", "-o", path("shaders"), "--count", "50"});
+  ASSERT_EQ(play({path("shaders"), "--frames", "0", "--state", path("first.csv")}).code, 0);
+  const std::string own = read("shaders/buffer_a.glsl");
+  write("shaders/buffer_a.glsl", "#define mainImage own\n" + own +
+                                     "\n#undef mainImage\nvoid mainImage(out vec4 c, in vec2 at) {\n"
+                                     "  if (iFrame == 0) c = vec4(1.0);\n  else own(c, at);\n}\n");
+  ASSERT_EQ(play({path("shaders"), "--frames", "1", "--state", path("anew.csv")}).code, 0);
+  EXPECT_EQ(read("anew.csv"), read("first.csv"));
+}
+
+TEST_F(Shadertoy, FlocksStartWhereTheScenarioSays) {
+  const auto started = [&](const std::string& start, const Words& more) {
+    write("start.toml",
+          "[space]\nmin = [0, 0]\nmax = [960, 540]\nboundary = \"open\"\n[[flock]]\ncount = 200\nstart = " +
+              start + "\n");
+    run_well({"shadertoy", path("start.toml"), "-o", path("shaders")});
+    Words words{path("shaders"), "--frames", "0", "--state", path("start.csv")};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(play(words).code, 0);
+    return *sturnus::read_state_csv(path("start.csv"));
+  };
+  const auto expect_ring = [](const sturnus::State& state, double x, double y, double inner, double outer) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      const double r = std::hypot(component(state.position, 0, i) - x, component(state.position, 1, i) - y);
+      EXPECT_TRUE(r >= inner - 1e-2 && r <= outer + 1e-2) << i << " at " << r;
+    }
+  };
+  const Words small{"--size", "400x224"};
+  expect_ring(started("{ region = \"ball\", radius = 30, speed = [1, 1] }", small), 200, 112, 0, 30);
+  expect_ring(
+      started("{ region = \"ring\", radius = 30, inner = 20, centre = [100, 50], speed = [1, 1] }", small),
+      100, 50, 20, 30);
+  const sturnus::State box = started(
+      "{ region = \"box\", min = [100, 100], max = [200, 120], speed = [2, 3], heading = [3, 4] }", small);
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    EXPECT_TRUE(box.position[0][i] >= 100 && box.position[0][i] <= 200);
+    EXPECT_TRUE(box.position[1][i] >= 100 && box.position[1][i] <= 120);
+    EXPECT_NEAR(box.velocity[1][i] / box.velocity[0][i], 4.0 / 3.0, 1e-5);
+    EXPECT_TRUE(box.velocity[0][i] >= 1.199f && box.velocity[0][i] <= 1.801f);
+  }
+}
+
+TEST_F(Shadertoy, NumbersThatCannotBeReckonedWithSpoilNobody) {
+  write("far.toml",
+        "[[flock]]\ncount = 20\nmax_speed = inf\nstart = { region = \"space\", speed = [1e30, 1e30] }\n");
+  run_well({"shadertoy", path("far.toml"), "-o", path("shaders")});
+  ASSERT_EQ(play({path("shaders"), "--frames", "3", "--state", path("far.csv")}).code, 0);
+  EXPECT_EQ(read("far.csv").find("nan"), std::string::npos);
+  EXPECT_EQ(read("far.csv").find("inf"), std::string::npos);
 }
 
 TEST_F(Shadertoy, AnUnwritableFolderIsASentence) {
@@ -238,90 +307,173 @@ INSTANTIATE_TEST_SUITE_P(
 
 // ---- one frame against one step of the engine ----
 
-class ShaderAgainstEngine : public Shadertoy, public testing::WithParamInterface<const char*> {
+struct Case {
+  const char* scenario;
+  std::vector<const char*> set;  // what differs from the shipped one
+  int frames = 10;
+  bool pressed = false;
+};
+
+void PrintTo(const Case& one, std::ostream* out) {
+  *out << one.scenario;
+  for (const char* pair : one.set) *out << " " << pair;
+}
+
+class ShaderAgainstEngine : public Shadertoy, public testing::WithParamInterface<Case> {
  protected:
   // The engine's one step from a state that the shader had.
-  static sturnus::State stepped(sturnus::ScenarioDef scenario, const sturnus::State& from) {
+  static sturnus::State stepped(sturnus::ScenarioDef scenario, const sturnus::State& from, bool pressed) {
     scenario.run.initial = "state";
     sturnus::SimulationOptions options;
     options.threads = 1;
     options.tables["state"] = from;
     auto flock = sturnus::Simulation::create(scenario, options);
     EXPECT_TRUE(flock) << flock.error();
+    if (pressed) {
+      EXPECT_TRUE(flock->push(sturnus::MovePointer{sturnus::PointerMode::attract, {400, 500}, true}));
+    }
     flock->step();
     return flock->view().state();
   }
 };
 
-double distance(const sturnus::State& state, std::size_t i, std::size_t j) {
-  double squared = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double o = component(state.position, axis, i) - component(state.position, axis, j);
-    squared += o * o;
+// What rounding may decide: a neighbour at a radius, or at the edge of the field of view.
+class Doubts {
+ public:
+  Doubts(const sturnus::ScenarioDef& scenario, const sturnus::FlockDef& flock, const sturnus::State& state)
+      : state_(state), extent_(extent_of(scenario)) {
+    wraps_ = scenario.space.boundary.kind == sturnus::BoundaryKind::wrap;
+    view_ = flock.field_of_view;
+    gather(flock.separation);
+    gather(flock.alignment);
+    gather(flock.cohesion);
+    for (const auto& term : flock.flee) radii_.push_back(term.radius);
   }
-  return std::sqrt(squared);
-}
 
-std::vector<double> radii(const sturnus::FlockDef& flock) {
-  std::vector<double> out;
-  for (const auto& term : flock.separation) out.push_back(term.radius);
-  for (const auto& term : flock.alignment) out.push_back(term.radius);
-  for (const auto& term : flock.cohesion) out.push_back(term.radius);
-  for (const auto& term : flock.flee) out.push_back(term.radius);
-  return out;
-}
+  bool about(std::size_t i) const {
+    for (std::size_t j = 0; j < state_.size(); ++j) {
+      if (i != j && is_doubtful(i, j)) return true;
+    }
+    return false;
+  }
 
-// Whether some neighbour is so near to a radius that rounding decides who counts.
-bool is_on_a_radius(const sturnus::State& state, std::size_t i, const std::vector<double>& all) {
-  for (std::size_t j = 0; j < state.size(); ++j) {
-    const double d = distance(state, i, j);
-    for (const double radius : all) {
-      if (i != j && std::abs(d - radius) <= 1e-6 * radius) return true;
+ private:
+  template <class Term>
+  void gather(const std::vector<Term>& terms) {
+    for (const Term& term : terms) {
+      radii_.push_back(term.radius);
+      if (term.inner > 0) radii_.push_back(term.inner);
     }
   }
-  return false;
+
+  bool is_doubtful(std::size_t i, std::size_t j) const {
+    double squared = 0, along = 0, speed_squared = 0;
+    for (std::size_t axis = 0; axis < extent_.min.size(); ++axis) {
+      double o = component(state_.position, axis, j) - component(state_.position, axis, i);
+      const double size = extent_.max[axis] - extent_.min[axis];
+      if (wraps_) o -= size * std::round(o / size);
+      const double v = component(state_.velocity, axis, i);
+      squared += o * o;
+      along += v * o;
+      speed_squared += v * v;
+    }
+    const double d = std::sqrt(squared);
+    for (const double radius : radii_) {
+      if (std::isfinite(radius) && std::abs(d - radius) <= 1e-6 * radius) return true;
+    }
+    const double cosine = std::cos(view_ / 360 * 3.14159265358979324);
+    const double scale = std::sqrt(speed_squared) * d;
+    return view_ < 360 && std::abs(along - cosine * scale) <= 1e-6 * scale;
+  }
+
+  const sturnus::State& state_;
+  sturnus::Extent extent_;
+  bool wraps_;
+  double view_;
+  std::vector<double> radii_;
+};
+
+bool is_random(const sturnus::FlockDef& flock) {
+  return flock.wander || (flock.noise && (flock.noise->acceleration > 0 || flock.noise->turn > 0));
 }
 
 TEST_P(ShaderAgainstEngine, EveryFrameIsAStep) {
-  constexpr int frames = 100;
-  const auto scenario = scenario_of(GetParam());
-  const bool is_ucsd = std::string(GetParam()) == "ucsd";
-  play_scenario({GetParam()}, {}, frames);
+  const Case& one = GetParam();
+  auto scenario = scenario_of(one.scenario);
+  if (scenario.flocks.size() == 1) scenario.flocks[0].count = 300;
+  Words words{one.scenario, "--world", one.pressed ? "window" : "scenario"};
+  if (scenario.flocks.size() == 1) words.insert(words.end(), {"--count", "300"});
+  for (const char* pair : one.set) {
+    const std::string text = pair;
+    const auto equals = text.find('=');
+    ASSERT_TRUE(
+        set_parameter(scenario, text.substr(0, equals), sturnus::parse_value(text.substr(equals + 1))))
+        << pair;
+    words.insert(words.end(), {"--set", text});
+  }
+  // A fitted world does not depend on the size of the picture, and a small one is quickly drawn.
+  play_scenario(words, one.pressed ? Words{"--mouse", "400,500"} : Words{"--size", "64x64"}, one.frames);
   if (HasFatalFailure()) return;
 
+  const auto extent = extent_of(scenario);
+  const double pixel = (extent.max[1] - extent.min[1]) / 720;
+  const bool wraps = scenario.space.boundary.kind == sturnus::BoundaryKind::wrap;
   double largest = 0;
   std::size_t exempt = 0, compared = 0;
   sturnus::State before = state(0);
-  ASSERT_EQ(before.size(), 300u);
-  ASSERT_TRUE(is_ucsd || before.size() == static_cast<std::size_t>(scenario.boid_count()));
-  for (int frame = 1; frame <= frames; ++frame) {
+  ASSERT_EQ(before.size(), static_cast<std::size_t>(scenario.boid_count()));
+  for (int frame = 1; frame <= one.frames; ++frame) {
     const sturnus::State after = state(frame);
-    const sturnus::State engine = stepped(scenario, before);
+    const sturnus::State engine = stepped(scenario, before, one.pressed);
     for (std::size_t slot = 0; slot < engine.size(); ++slot) {
       const auto i = static_cast<std::size_t>(engine.id[slot]);
       const sturnus::FlockDef& flock = scenario.flocks[engine.flock[slot]];
-      if (flock.wander) continue;  // strays by other random numbers
+      if (is_random(flock)) continue;  // strays by other random numbers
       ++compared;
-      if (is_on_a_radius(before, i, radii(flock))) {
+      if (Doubts(scenario, flock, before).about(i)) {
         ++exempt;
         continue;
       }
-      for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t axis = 0; axis < extent.min.size(); ++axis) {
         const double difference =
-            std::abs(component(engine.position, axis, slot) - component(after.position, axis, i));
+            apart(component(engine.position, axis, slot), component(after.position, axis, i),
+                  wraps ? extent.max[axis] - extent.min[axis] : 0) /
+            pixel;
         ASSERT_TRUE(difference <= 1e-3) << "frame " << frame << ", boid " << i << ": " << difference;
         largest = std::max(largest, difference);
       }
     }
     before = after;
   }
-  EXPECT_GE(compared, 299u * frames);
+  EXPECT_GE(compared, 299u * static_cast<unsigned>(one.frames));
   EXPECT_LE(static_cast<double>(exempt), 0.005 * static_cast<double>(compared));
-  std::printf("%s: %d frames, largest difference %.2g px, exempt %.4f %%\n", GetParam(), frames, largest,
+  std::printf("%s: %d frames, largest difference %.2g px, exempt %.4f %%\n",
+              testing::PrintToString(one).c_str(), one.frames, largest,
               100.0 * static_cast<double>(exempt) / static_cast<double>(compared));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, ShaderAgainstEngine, testing::Values("ucsd", "ucsd-predator", "ucsd-3d"));
+constexpr const char* quiet = "flock.birds.noise.acceleration=0";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, ShaderAgainstEngine,
+    testing::Values(Case{"ucsd", {}, 100}, Case{"ucsd-predator", {}, 100}, Case{"ucsd-3d", {}, 100},
+                    Case{"ucsd-predator", {}, 10, true},
+                    Case{"ucsd-predator", {"pointer.form=seek", "flock.birds.flee.form=seek"}, 10, true},
+                    Case{"ucsd-predator",
+                         {"pointer.form=linear", "pointer.radius=300", "flock.birds.flee.form=linear"},
+                         10,
+                         true},
+                    Case{"prog06", {}}, Case{"parker", {}}, Case{"vuw-core", {}}, Case{"quadtree", {quiet}},
+                    Case{"ucsd", {"space.boundary.kind=bounce", "flock.birds.max_acceleration=0.3"}},
+                    Case{"ucsd",
+                         {"space.boundary.kind=wrap", "time.dt=0.5", "time.integrator=explicit-euler"}},
+                    Case{"ucsd-3d", {"space.boundary.kind=bounce", "flock.birds.field_of_view=200"}},
+                    Case{"ucsd",
+                         {"flock.birds.separation.strength=1", "flock.birds.separation.combine=sum",
+                          "flock.birds.separation.edge=closed", "flock.birds.alignment.match=heading",
+                          "flock.birds.alignment.relative=false", "flock.birds.alignment.count_self=true",
+                          "flock.birds.cohesion.strength=1/d", "flock.birds.cohesion.ring=[30, 150]",
+                          "flock.birds.cohesion.count_self=true"}}));
 
 }  // namespace
 }  // namespace program_test
