@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 namespace prog06 {
 namespace {
@@ -17,7 +18,8 @@ constexpr double most_boids = 1e9;  // as many as the library takes; below that 
 struct Words {
   std::vector<std::string> arguments;
   std::vector<std::pair<std::string, std::string>>
-      options;  ///< key of the setting, and the word for its value
+      options;                  ///< key of the setting, and the word for its value
+  std::set<std::string> given;  ///< keys of the options so far
   std::string config;
 };
 
@@ -57,13 +59,23 @@ class Reader {
     const std::string name = word.substr(0, equals);
     const bool is_switch = name == "-h" || name == "--help" || name == "--3d";
     if (is_switch && equals != std::string::npos) return complain(name + " takes no value");
-    if (name == "--3d") return found_.options.emplace_back("dimensions", "3"), void();
+    if (name == "--3d") return add_option("dimensions", "3");
     if (is_switch) return void(request_.help = true);
     std::string key = name.substr(2);
     std::replace(key.begin(), key.end(), '-', '_');
     if (key != "config" && key != "keys" && setting_of(key) == nullptr) return complain(unknown(name));
     if (equals == std::string::npos && next_ == words_.size()) return complain(name + " needs a value");
     const std::string value = equals == std::string::npos ? words_[next_++] : word.substr(equals + 1);
+    add_option(key, value);
+  }
+
+  void add_option(const std::string& key, const std::string& value) {
+    const Setting* setting = setting_of(key);
+    const bool is_new = found_.given.insert(key).second;
+    if (!is_new && (setting == nullptr || !setting->may_repeat)) {
+      return complain(option_name(key) + " is given twice" +
+                      (key == "dimensions" ? " (--3d is the same as --dimensions 3)" : ""));
+    }
     if (key == "config") {
       found_.config = value;
       if (value.empty()) complain("--config needs the name of a file");
@@ -97,7 +109,13 @@ class Reader {
     for (std::size_t i = words.size(); i < argument_count; ++i)
       missing += std::string(" ") + argument_names[i];
     if (!missing.empty()) complain("missing:" + missing);
-    if (words.size() > argument_count) complain("\"" + words[argument_count] + "\" is one word too many");
+    if (words.size() > argument_count) {
+      const bool has_option = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return word.starts_with("--");  // and stood behind --
+      });
+      complain("\"" + words[argument_count] + "\" is one word too many" +
+               (has_option ? "; options come before --" : ""));
+    }
     Choices& choices = request_.choices;
     double count = 0;
     take_number(0, 0, most_boids, count);
@@ -203,7 +221,7 @@ Options:
   line("--help", "this text");
   return text + R"(
 Try: prog06 300 0.4 0.1 0.3 1.0 myboids.ppm
-Exit codes: 0 done, 1 failed while running (no display, a picture not written), 2 wrong arguments.
+Exit codes: 0 done, 1 failed while running (no display, a picture not written), 2 wrong arguments, 130 interrupted.
 )";
 }
 

@@ -121,7 +121,7 @@ std::string take_parameters(Choices& choices, const Value& value) {
   if (text == nullptr || text->find('=') == std::string::npos) {
     return expected("a text such as \"flock.boids.max_speed=0.03\"", value);
   }
-  choices.parameters.push_back(*text);
+  choices.parameters.push_back({*text, "", 0});
   return {};
 }
 
@@ -174,9 +174,14 @@ sturnus::Status apply_file(const std::string& path, Choices& choices) {
   sturnus::Problems problems;
   for (const sturnus::Entry& entry : *entries) {
     const Setting* setting = setting_of(entry.key);
+    const std::size_t known = choices.parameters.size();
     const std::string error =
         setting != nullptr ? setting->take(choices, entry.value) : unknown_setting(entry.key);
     if (!error.empty()) problems.push_back({path, entry.line, entry.key, error, false});
+    for (std::size_t i = known; i < choices.parameters.size(); ++i) {
+      choices.parameters[i].file = path;
+      choices.parameters[i].line = entry.line;
+    }
   }
   return problems;
 }

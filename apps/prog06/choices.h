@@ -12,6 +12,13 @@
 
 namespace prog06 {
 
+/// PATH=VALUE, a further parameter of the scenario, and where it was said.
+struct Parameter {
+  std::string text;
+  std::string file;  ///< of settings; empty on the command line
+  int line = 0;      ///< in the file
+};
+
 /// Everything that may be chosen, with its defaults.
 struct Choices {
   std::int64_t boids = 0;  ///< N
@@ -21,14 +28,14 @@ struct Choices {
   double cohesion = 0;     ///< wc
   std::string picture;     ///< where the key w writes
 
-  sturnus::Size size{720, 720};         ///< of the window and the picture, pixels
-  std::optional<sturnus::Point3> eye;   ///< length; not given: see `eye_of`
-  sturnus::Point3 target{};             ///< length; what the camera looks at
-  double field_of_view = 40;            ///< degrees, vertical
-  double boid_size = 0.06;              ///< factor on the cone of the assignment, which is 0.5 long
-  int dimensions = 2;                   ///< 2 or 3
-  std::optional<std::int64_t> seed;     ///< not given: the scenario's own
-  std::vector<std::string> parameters;  ///< PATH=VALUE, further parameters of the scenario
+  sturnus::Size size{720, 720};        ///< of the window and the picture, pixels
+  std::optional<sturnus::Point3> eye;  ///< length; not given: see `eye_of`
+  sturnus::Point3 target{};            ///< length; what the camera looks at
+  double field_of_view = 40;           ///< degrees, vertical
+  double boid_size = 0.06;             ///< factor on the cone of the assignment, which is 0.5 long
+  int dimensions = 2;                  ///< 2 or 3
+  std::optional<std::int64_t> seed;    ///< not given: the scenario's own
+  std::vector<Parameter> parameters;   ///< in the order in which they are applied
 
   std::string keys;  ///< keys that press themselves, one a frame
 };

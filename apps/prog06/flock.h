@@ -7,7 +7,7 @@
 
 namespace prog06 {
 
-/// The flock at its start, or what is wrong with the numbers.
+/// The flock at its start, or what is wrong with the numbers, in the words of the command line and the file.
 sturnus::Result<sturnus::Simulation> open_flock(const Choices& choices);
 
 /// The mouse holds a place, or lets go of it.

@@ -1,24 +1,16 @@
 // One turn of the loop is one frame: events, perhaps a step, perhaps a new picture, and a rest.
 #include "loop.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <ratio>
+#include <thread>
 
 #include "flock.h"
 #include "picture_file.h"
 
 namespace prog06 {
-namespace {
-
-constexpr std::uint64_t frame_milliseconds = 1000 / 60;
-
-// Sleeps for what is left of a frame.
-void rest(std::uint64_t frame_began) {
-  const std::uint64_t spent = SDL_GetTicks64() - frame_began;
-  if (spent < frame_milliseconds) SDL_Delay(static_cast<std::uint32_t>(frame_milliseconds - spent));
-}
-
-}  // namespace
-
 Loop::Loop(const Choices& choices, sturnus::Simulation& flock, Window& window)
     : flock_(flock), window_(window), scene_(choices), picture_(choices.picture), keys_(choices.keys) {
   scene_.follow(flock_.view());
@@ -26,17 +18,26 @@ Loop::Loop(const Choices& choices, sturnus::Simulation& flock, Window& window)
 
 bool Loop::run() {
   while (!quit_) {
-    if (is_waiting()) SDL_WaitEvent(nullptr);
-    const std::uint64_t began = SDL_GetTicks64();
+    if (is_waiting()) {
+      SDL_WaitEvent(nullptr);
+      next_frame_ = Clock::now();
+    }
     press_next_key();
     handle_events();
     if (quit_) break;
     if (animating_) step();
     if (updated_) redraw();
     window_.present();
-    rest(began);
+    rest();
   }
   return all_written_;
+}
+
+// Sleeps until the next frame is due. Frames that are late are not made up for.
+void Loop::rest() {
+  using Frames = std::chrono::duration<std::int64_t, std::ratio<1, 60>>;
+  next_frame_ = std::max(next_frame_ + std::chrono::duration_cast<Clock::duration>(Frames(1)), Clock::now());
+  std::this_thread::sleep_until(next_frame_);
 }
 
 // Keys of --keys go the way of all keys.

@@ -4,6 +4,7 @@
 #include <SDL.h>
 #include <sturnus/simulation.h>
 
+#include <chrono>
 #include <string>
 
 #include "choices.h"
@@ -29,7 +30,10 @@ class Loop {
   void step();
   void redraw();
   void write();
+  void rest();
   bool is_waiting() const { return !animating_ && !updated_ && !quit_ && keys_.empty(); }
+
+  using Clock = std::chrono::steady_clock;
 
   sturnus::Simulation& flock_;
   Window& window_;
@@ -37,6 +41,7 @@ class Loop {
   sturnus::Image shown_;  // what the window shows
   std::string picture_;   // where the key w writes
   std::string keys_;      // still to be pressed by themselves
+  Clock::time_point next_frame_ = Clock::now();
   sturnus::PointerMode mode_ = sturnus::PointerMode::attract;
   bool holding_ = false;    // a mouse button is down
   bool animating_ = false;  // a step in every frame

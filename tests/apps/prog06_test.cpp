@@ -1,11 +1,14 @@
 // prog06 without a display: keys that press themselves, pictures against a simulation of one's own, and wrong
 // input.
 #include <png.h>
+#include <signal.h>
 #include <sturnus/files.h>
 #include <sturnus/triangles.h>
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "cones.h"
 #include "prog06_support.h"
@@ -171,6 +174,25 @@ TEST_F(Prog06, AWrongFileIsToldWithFileLineAndKey) {
               "no.toml: cannot be read");
 }
 
+TEST_F(Prog06, AWrongParameterInAFileIsToldWithFileAndLine) {
+  write("c.toml",
+        "seed = 3\nset = [\"flock.boids.max_sped = 1\", \"flock.boids.count=3\",\n"
+        "  \"flock.boids.max_speed = -1\"]\n");
+  const Ended ended = start(split("9 0.4 0.1 0.3 1 out.ppm --config c.toml --set space.sise=1 --keys q"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_TRUE(ended.err.starts_with("usage: prog06 ")) << ended.err;
+  EXPECT_SAYS(ended.err, "c.toml:2: set: flock.boids.max_sped: ");
+  EXPECT_SAYS(ended.err, "c.toml:2: set: flock.boids.count: is chosen by N");
+  EXPECT_SAYS(ended.err, "c.toml:2: set: flock.boids.max_speed: must not be negative");
+  EXPECT_SAYS(ended.err, "prog06: --set space.sise: ");
+  EXPECT_EQ(line_count(ended.err), 5u) << ended.err;
+  // What is wrong only with the whole, too.
+  write("c.toml", "\nset = [\"flock.boids.min_speed = 0.01\", \"flock.boids.max_speed=0.005\"]\n");
+  const Ended whole = start(split("9 0.4 0.1 0.3 1 out.ppm --config c.toml --keys q"));
+  EXPECT_EQ(whole.code, 2);
+  EXPECT_SAYS(whole.err, "c.toml:2: set: flock.boids.m");
+}
+
 struct Wrong {
   const char* line;
   const char* sentence;
@@ -194,8 +216,16 @@ const Wrong wrong_lines[] = {
     {"3 0,4 0.1 0.3 1 out.ppm", "R must be a number, but is \"0,4\""},
     {"3 0x1p3 0.1 0.3 1 out.ppm", "R must be a number"},
     {"3 +-1 0.1 0.3 1 out.ppm", "R must be a number"},
-    {"3 0.4 0.1 0.3 1 missing/out.ppm", "missing/out.ppm: cannot be written: No such file or directory"},
-    {"3 0.4 0.1 0.3 1 /", "/: cannot be written: Is a directory"},
+    {"3 0.4 0.1 0.3 1 missing/out.ppm",
+     "prog06: out.ppm: missing/out.ppm: cannot be written: No such file or directory"},
+    {"3 0.4 0.1 0.3 1 /", "prog06: out.ppm: /: cannot be written: Is a directory"},
+    {"1000000000 0.4 0.1 0.3 1 out.ppm", "prog06: N: 1000000000 boids need about"},
+    {"3 0.4 0.1 0.3 1 -- out.ppm --seed 3", "\"--seed\" is one word too many; options come before --"},
+    {"-- 3 0.4 0.1 0.3 1 --3d out.ppm", "\"out.ppm\" is one word too many; options come before --"},
+    {"3 0.4 0.1 0.3 1 out.ppm --config a.toml --config b.toml", "--config is given twice"},
+    {"3 0.4 0.1 0.3 1 out.ppm --keys a --keys=a", "--keys is given twice"},
+    {"3 0.4 0.1 0.3 1 out.ppm --size 32x32 --size 64x64", "--size is given twice"},
+    {"3 0.4 0.1 0.3 1 out.ppm --3d --dimensions 2", "--dimensions is given twice (--3d is the same as"},
     {"3 0.4 0.1 0.3 1 out.ppm --sise 3", "unknown option \"--sise\"; did you mean --size?"},
     {"3 0.4 0.1 0.3 1 out.ppm --size 3x", "--size must be two sides of 16 to 4096 pixels"},
     {"3 0.4 0.1 0.3 1 out.ppm --size 100x99999", "--size must be two sides of 16 to 4096 pixels"},
@@ -210,8 +240,16 @@ const Wrong wrong_lines[] = {
     {"3 0.4 0.1 0.3 1 out.ppm --dimensions 4", "--dimensions must be 2 or 3"},
     {"3 0.4 0.1 0.3 1 out.ppm --seed 1.5", "--seed must be a whole number of at least 0"},
     {"3 0.4 0.1 0.3 1 out.ppm --keys saz", "there is no \"z\""},
-    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.cont=3", "did you mean \"count\"?"},
-    {"3 0.4 0.1 0.3 1 out.ppm --set space.dimensions=3", "chosen by --dimensions"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.cont=3",
+     "prog06: --set flock.boids.cont: there is no key \"cont\"; did you mean \"count\"?"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set space.dimensions=3", "--set space.dimensions: is chosen by --dimensions"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.count=3", "--set flock.boids.count: is chosen by N"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.separation.radius=1", "is chosen by R"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.separation.ring=[0,1]", "is chosen by R"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.separation.0.weight=1", "is chosen by ws"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.alignment.weight=1", "is chosen by wa"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.cohesion.weight=1", "is chosen by wc"},
+    {"3 0.4 0.1 0.3 1 out.ppm --set seed=6", "is chosen by --seed"},
     {"3 0.4 0.1 0.3 1 out.ppm --set flock.boids.size", "--set must be a text such as"},
 };
 
@@ -220,9 +258,9 @@ TEST_F(Prog06, WrongInputEndsWithTwoAndSaysWhatIsWrong) {
     const Ended ended = start(split(wrong.line));
     EXPECT_EQ(ended.code, 2) << wrong.line;
     EXPECT_EQ(ended.out, "") << wrong.line;
+    EXPECT_TRUE(ended.err.starts_with("usage: prog06 N R ws wa wc out.ppm [options]\nprog06: ")) << ended.err;
     EXPECT_SAYS(ended.err, wrong.sentence);
   }
-  EXPECT_SAYS(start({}).err, "usage: prog06 N R ws wa wc out.ppm");
   EXPECT_SAYS(start({"3", "0.4", "0.1", "0.3", "1", ""}).err, "out.ppm must not be empty");
   EXPECT_TRUE(files().empty());
 }
@@ -237,6 +275,31 @@ TEST_F(Prog06, HelpNamesEverythingAndEndsWell) {
           "--dimensions", "--seed", "--set", "--keys", "--3d", "ESC"}) {
       EXPECT_SAYS(ended.out, part);
     }
+  }
+}
+
+TEST_F(Prog06, FramesAreASixtiethOfASecond) {
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(start({"3", "0.4", "0.1", "0.3", "1", "out.ppm", "--size", "32x16", "--keys",
+                   std::string(180, ' ') + "q"})
+                .code,
+            0);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+}
+
+TEST_F(Prog06, InterruptsEndItWith130) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    write("said", "");
+    StartOptions options = here();
+    options.output = path("said");
+    Running running(prog06_words(split("3 0.4 0.1 0.3 1 out.ppm --size 32x16")), options);
+    for (int i = 0; i < 3000 && !contains(read("said"), "q quits"); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    kill(running.id(), signal);
+    const Ended ended = running.wait();
+    EXPECT_EQ(ended.code, 130) << signal;
+    EXPECT_EQ(ended.err, "");
   }
 }
 

@@ -174,9 +174,9 @@ TEST_F(Prog06Window, EscapeQuits) {
   EXPECT_FALSE(exists("out.ppm"));
 }
 
-TEST_F(Prog06Window, AnInterruptQuitsLikeClosingTheWindow) {
+TEST_F(Prog06Window, AnInterruptQuitsAPausedWindow) {
   kill(program_->id(), SIGINT);
-  EXPECT_EQ(program_->wait().code, 0);
+  EXPECT_EQ(program_->wait().code, 130);
 }
 
 TEST_F(Prog06Window, AMouseButtonHoldsTheBoids) {
