@@ -13,7 +13,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/sturnus-config.cmake.in 
 write_basic_package_version_file(sturnus-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/sturnus-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/sturnus-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturnus)
-foreach(program sturnus-program sturnus-shadertoy)
+foreach(program sturnus-program sturnus-shadertoy prog06)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()

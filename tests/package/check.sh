@@ -31,3 +31,4 @@ try add_subdirectory "-DSTURNUS_SOURCE=$source" -DCMAKE_BUILD_TYPE=None
 cmp "$work/find_package.example" "$work/add_subdirectory.example"
 cmp "$work/find_package.core_example" "$work/add_subdirectory.core_example"
 "$work/prefix/bin/sturnus" list >/dev/null
+[ ! -x "$build/prog06" ] || "$work/prefix/bin/prog06" --help >/dev/null

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The plain way, to the letter: a fresh clone, mkdir build, cd build, cmake .., make; then both programs run.
+# The plain way, to the letter: a fresh clone, mkdir build, cd build, cmake .., make; then the programs run.
 # Usage: plain.sh SOURCE-FOLDER
 set -euo pipefail
 source=$1
@@ -33,8 +33,15 @@ if grep -i 'warning:' "$work/log" >&2; then
   exit 1
 fi
 
-[ -x build/prog06 ] || { grep prog06 "$work/log" >&2; echo "there is no build/prog06" >&2; exit 1; }
-[ -x build/sturnus ] || { grep sturnus "$work/log" >&2; echo "there is no build/sturnus" >&2; exit 1; }
+for program in prog06 sturnus sturnus-shadertoy; do
+  [ -x "build/$program" ] || { grep "$program" "$work/log" >&2; echo "there is no build/$program" >&2; exit 1; }
+done
+# Who only builds the programs needs none of the tests' packages, and hears nothing of them.
+if compgen -G 'build/tests/*-tests' >&2 || grep 'the tests' "$work/log" >&2 ||
+  grep -E '^(GTest|RAPIDCHECK)_' build/CMakeCache.txt >&2; then
+  echo "the plain build has to do with tests" >&2
+  exit 1
+fi
 SDL_VIDEODRIVER=offscreen build/prog06 300 0.4 0.1 0.3 1.0 out.ppm --keys "ssw q"
 [ "$(head -c 2 out.ppm)" = P6 ] || { echo "prog06 wrote no PPM" >&2; exit 1; }
 build/sturnus run prog06 --steps 10
