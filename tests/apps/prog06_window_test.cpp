@@ -49,6 +49,10 @@ class Prog06Window : public ProgramTest {
 
   void TearDown() override {
     program_.reset();
+    if (server_) {  // asked to end, it takes its lock on the display with it
+      kill(server_->id(), SIGTERM);
+      server_->wait();
+    }
     server_.reset();
     ProgramTest::TearDown();
   }
