@@ -15,7 +15,7 @@ float distance_to_line(vec2 pixel, vec2 a, vec2 b) {
   return length(o - along * clamp(dot(o, along) / max(dot(along, along), 1e-6), 0.0, 1.0));
 }
 
-// The rectangle or box, `margin` inside the world's edge; in space all twelve edges, fainter when far.
+// The rectangle or box, `margin` inside the world's edge; in space all twelve edges.
 float outline(View view, vec2 pixel, vec3 margin) {
   vec3 low = world_min() + margin, high = world_max(iResolution.xy) - margin;
   float line = 0.0;
