@@ -13,6 +13,12 @@ if(NOT RANDOM123_INCLUDE_DIR)
   message(FATAL_ERROR "Sturnus: the library can't be built: the package librandom123-dev is missing")
 endif()
 
+find_path(HIGHWAY_INCLUDE_DIR hwy/highway.h)
+find_library(HIGHWAY_LIBRARY hwy)
+if(NOT HIGHWAY_INCLUDE_DIR OR NOT HIGHWAY_LIBRARY)
+  message(FATAL_ERROR "Sturnus: the library can't be built: the package libhwy-dev is missing")
+endif()
+
 if(STURNUS_TBB)
   find_package(TBB CONFIG QUIET)
   if(NOT TBB_FOUND)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sturnus/files.h>
+#include <sturnus/isa.h>
 #include <sturnus/measure.h>
 #include <sturnus/parameters.h>
 #include <sturnus/picture.h>

@@ -14,8 +14,9 @@ struct Axis {
   std::int64_t cells = 1;
 
   std::int64_t unbounded_cell(double at) const {
-    const double cell = std::floor((at - min) * cells_per_length);
-    return static_cast<std::int64_t>(std::clamp(cell, -1e15, 1e15));
+    const double place = std::clamp((at - min) * cells_per_length, -1e15, 1e15);
+    const auto cell = static_cast<std::int64_t>(place);  // towards zero; std::floor would be a call
+    return cell - (place < static_cast<double>(cell) ? 1 : 0);
   }
   std::int64_t cell(double at) const { return std::clamp<std::int64_t>(unbounded_cell(at), 0, cells - 1); }
   double edge(std::int64_t cell) const { return min + static_cast<double>(cell) / cells_per_length; }
@@ -42,17 +43,26 @@ class Grid : public NeighbourIndex {
     sort(workers, order);
   }
 
-  void spans(const std::array<float, 3>& at, std::vector<Span>& spans) const override {
+  void spans(const std::array<float, 3>& from, const std::array<float, 3>& to,
+             std::vector<Span>& spans) const override {
     spans.clear();
-    const Runs x = runs(0, at[0]);
-    const Runs y = runs(1, at[1]);
-    const Runs z = cloud_.dimensions == 3 ? runs(2, at[2]) : Runs{{0, 0}, {0, 0}, 1};
+    const Runs x = runs(0, from[0], to[0]);
+    const Runs y = runs(1, from[1], to[1]);
+    const Runs z = cloud_.dimensions == 3 ? runs(2, from[2], to[2]) : Runs{{0, 0}, {0, 0}, 1};
     for (int i = 0; i < z.count; ++i) {
       for (std::int64_t layer = z.first[i]; layer <= z.last[i]; ++layer) {
         for (int j = 0; j < y.count; ++j) {
           for (std::int64_t row = y.first[j]; row <= y.last[j]; ++row) add_row(layer, row, x, spans);
         }
       }
+    }
+  }
+
+  void batches(std::vector<Span>& batches) const override {
+    batches.clear();
+    for (std::int64_t row = 0; row < axes_[1].cells * axes_[2].cells; ++row) {
+      const auto first = static_cast<std::size_t>(row * axes_[0].cells);
+      cut(begin_[first], begin_[first + static_cast<std::size_t>(axes_[0].cells)], batches);
     }
   }
 
@@ -166,15 +176,15 @@ class Grid : public NeighbourIndex {
     for (std::size_t i = 0; i < cloud_.count; ++i) order[next_[cells_[i]]++] = static_cast<std::uint32_t>(i);
   }
 
-  Runs runs(std::size_t axis, float at) const {
+  Runs runs(std::size_t axis, float from, float to) const {
     const Axis& cells = axes_[axis];
     Runs out;
     if (!cloud_.wraps) {
-      out.add(cells.cell(at - reach_), cells.cell(at + reach_));
+      out.add(cells.cell(from - reach_), cells.cell(to + reach_));
       return out;
     }
-    const std::int64_t low = cells.unbounded_cell(at - reach_);
-    const std::int64_t high = cells.unbounded_cell(at + reach_);
+    const std::int64_t low = cells.unbounded_cell(from - reach_);
+    const std::int64_t high = cells.unbounded_cell(to + reach_);
     if (high - low + 1 >= cells.cells) {
       out.add(0, cells.cells - 1);
     } else if (low < 0) {

@@ -14,8 +14,13 @@ class AllPairs : public NeighbourIndex {
     order.clear();
     cloud_ = cloud;
   }
-  void spans(const std::array<float, 3>&, std::vector<Span>& spans) const override {
+  void spans(const std::array<float, 3>&, const std::array<float, 3>&,
+             std::vector<Span>& spans) const override {
     spans.assign(1, {0, static_cast<std::uint32_t>(cloud_.count)});
+  }
+  void batches(std::vector<Span>& batches) const override {
+    batches.clear();
+    cut(0, static_cast<std::uint32_t>(cloud_.count), batches);
   }
   void boxes(std::vector<IndexBox>& boxes) const override { boxes.assign(1, {cloud_.min, cloud_.max}); }
 
@@ -24,6 +29,10 @@ class AllPairs : public NeighbourIndex {
 };
 
 }  // namespace
+
+void cut(std::uint32_t begin, std::uint32_t end, std::vector<Span>& batches) {
+  for (; begin < end; begin += batch_size) batches.push_back({begin, std::min(end, begin + batch_size)});
+}
 
 std::unique_ptr<NeighbourIndex> make_all_pairs() {
   return std::make_unique<AllPairs>();

@@ -35,6 +35,12 @@ struct IndexBox {
   std::array<float, 3> min{}, max{};
 };
 
+/// Boids that the kernel steers at once, whatever the width of the machine's registers.
+inline constexpr std::uint32_t batch_size = 16;
+
+/// Cuts [begin, end) into batches.
+void cut(std::uint32_t begin, std::uint32_t end, std::vector<Span>& batches);
+
 class NeighbourIndex {
  public:
   virtual ~NeighbourIndex() = default;
@@ -44,9 +50,14 @@ class NeighbourIndex {
   virtual void build(const Cloud& cloud, float reach, const Workers& workers,
                      std::vector<std::uint32_t>& order) = 0;
 
-  /// Spans that hold every boid within the reach of a place inside the space. Always in the same order; no
-  /// boid twice. `spans` is cleared first.
-  virtual void spans(const std::array<float, 3>& at, std::vector<Span>& spans) const = 0;
+  /// Spans that hold every boid within the reach of any place in the box from `low` to `high`, which lies
+  /// inside the space. Always in the same order; no boid twice. `spans` is cleared first.
+  virtual void spans(const std::array<float, 3>& low, const std::array<float, 3>& high,
+                     std::vector<Span>& spans) const = 0;
+
+  /// Cuts the order into batches of at most `batch_size` boids that stand near one another, to be asked about
+  /// together. Hidden boids may be left out. `batches` is cleared first.
+  virtual void batches(std::vector<Span>& batches) const = 0;
 
   /// The cells or leaves that hold boids.
   virtual void boxes(std::vector<IndexBox>& boxes) const = 0;

@@ -54,23 +54,29 @@ bool sampled(const NeighbourRow& row, const Target<D>& target, std::uint64_t nei
          row.sample_below;
 }
 
-// Contributions are float, their running sum is double and rounded once: a swarm of hundreds around a boid
-// pushes from all sides, and what is left of the push must not be the rounding of the sum.
+// A sum in two steps, see `candidates_in_float`.
 struct RunningSum {
-  std::array<double, 3> value{};
+  std::array<float, 3> part{};
+  std::array<double, 3> whole{};
   std::uint32_t count = 0;
+
+  void fold() {
+    for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] += double{part[axis]};
+    part = {};
+  }
 };
 
-NeighbourSum rounded(const RunningSum& running) {
+NeighbourSum rounded(RunningSum& running) {
+  running.fold();
   NeighbourSum out;
   out.count = running.count;
-  for (std::size_t axis = 0; axis < 3; ++axis) out.value[axis] = static_cast<float>(running.value[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) out.value[axis] = static_cast<float>(running.whole[axis]);
   return out;
 }
 
 void add(RunningSum& sum, const std::array<const float*, 3>& columns, int components, std::size_t i) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(components); ++axis)
-    sum.value[axis] += double{columns[axis][i]};
+    sum.part[axis] += columns[axis][i];
 }
 
 template <int D>
@@ -81,8 +87,15 @@ void add_offset(RunningSum& sum, Strength strength, const Neighbour<D>& neighbou
     scale = 1.0f / (strength == Strength::fades ? neighbour.distance_squared
                                                 : std::sqrt(neighbour.distance_squared));
   }
-  for (int axis = 0; axis < D; ++axis)
-    sum.value[static_cast<std::size_t>(axis)] += double{neighbour.offset[axis] * scale};
+  for (int axis = 0; axis < D; ++axis) {
+    const float value = neighbour.offset[axis] * scale;
+    const auto i = static_cast<std::size_t>(axis);
+    if (strength == Strength::fades) {
+      sum.whole[i] += double{value};
+    } else {
+      sum.part[i] += value;
+    }
+  }
 }
 
 template <int D>
@@ -102,20 +115,32 @@ void add_contribution(RunningSum& sum, const NeighbourRow& row, const Boids& sou
 }
 
 template <int D>
-void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boids& sources, Span span,
-                    const Image& image, std::span<RunningSum> sums) {
-  assert(span.end <= sources.count);
-  for (std::size_t i = span.begin; i < span.end; ++i) {
-    Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), image), 0};
-    neighbour.distance_squared = dot(neighbour.offset, neighbour.offset);
-    if (!(neighbour.distance_squared < flock.reach_squared) || sources.id[i] == target.id) continue;
-    for (std::size_t r = 0; r < flock.rows.size(); ++r) {
-      const NeighbourRow& row = flock.rows[r];
-      const bool in_ring =
-          row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
-      if (!in_ring || (row.flocks & sources.flock_bit[i]) == 0) continue;
-      if (sees(row, target, neighbour) && sampled(row, target, sources.id[i])) {
-        add_contribution(sums[r], row, sources, neighbour);
+void add_neighbour(const FlockModel& flock, const Target<D>& target, const Boids& sources, std::size_t i,
+                   const Wrapping& image, std::span<RunningSum> sums) {
+  Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), image), 0};
+  neighbour.distance_squared = dot(neighbour.offset, neighbour.offset);
+  if (!(neighbour.distance_squared < flock.reach_squared) || sources.id[i] == target.id) return;
+  for (std::size_t r = 0; r < flock.rows.size(); ++r) {
+    const NeighbourRow& row = flock.rows[r];
+    const bool in_ring =
+        row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
+    if (!in_ring || (row.flocks & sources.flock_bit[i]) == 0) continue;
+    if (sees(row, target, neighbour) && sampled(row, target, sources.id[i])) {
+      add_contribution(sums[r], row, sources, neighbour);
+    }
+  }
+}
+
+template <int D>
+void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boids& sources,
+                    std::span<const Span> spans, const Wrapping& image, std::span<RunningSum> sums) {
+  std::uint32_t candidates = 0;
+  for (const Span span : spans) {
+    assert(span.end <= sources.count);
+    for (std::size_t i = span.begin; i < span.end; ++i) {
+      add_neighbour<D>(flock, target, sources, i, image, sums);
+      if (++candidates % candidates_in_float == 0) {
+        for (RunningSum& sum : sums) sum.fold();
       }
     }
   }
@@ -211,44 +236,54 @@ void population_totals(const Boids& boids, std::size_t flocks, const Workers& wo
   for (std::size_t i = 0; i < parts.size(); ++i) add_totals(totals[i % flocks], parts[i]);
 }
 
+namespace {
+
 template <int D>
-void neighbour_sums(const Boids& targets, std::size_t begin, std::size_t end, const Boids& sources,
-                    const NeighbourQuestion& question, std::span<NeighbourSum> sums) {
+Target<D> target_at(const Boids& targets, std::size_t j, const NeighbourQuestion& question) {
+  const auto velocity = at<D>(targets.velocity, j);
+  const std::uint64_t salt = fold(fold(fold(0, question.model->seed), question.step), targets.id[j]);
+  return {targets.id[j], at<D>(targets.position, j), velocity, length(velocity),
+          static_cast<std::uint32_t>(salt)};
+}
+
+}  // namespace
+
+template <int D>
+void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span<const Span> spans,
+               const NeighbourQuestion& question, std::span<NeighbourSum> sums) {
   const Model& model = *question.model;
-  assert(sums.size() >= end * model.most_rows);
-  std::vector<Span> spans;
   std::vector<RunningSum> running(model.most_rows);
-  for (std::size_t j = begin; j < end; ++j) {
-    NeighbourSum* own = sums.data() + j * model.most_rows;
-    std::fill(own, own + model.most_rows, NeighbourSum{});
+  for (std::size_t j = batch.begin; j < batch.end; ++j) {
     if (targets.flock_bit[j] == 0) continue;
     const FlockModel& flock = model.flocks[targets.flock[j]];
-    if (question.index != nullptr && flock.reach_squared > 0) {
-      const auto velocity = at<D>(targets.velocity, j);
-      const Target<D> target{
-          targets.id[j], at<D>(targets.position, j), velocity, length(velocity),
-          static_cast<std::uint32_t>(fold(fold(fold(0, model.seed), question.step), targets.id[j]))};
-      std::array<float, 3> place{};
-      for (int axis = 0; axis < D; ++axis) place[static_cast<std::size_t>(axis)] = target.position[axis];
-      question.index->spans(place, spans);
-      std::fill(running.begin(), running.end(), RunningSum{});
-      for (const Span span : spans) {
-        add_neighbours<D>(flock, target, sources, span, question.image, running);
-      }
-      std::transform(running.begin(), running.end(), own, rounded);
-    }
+    std::fill(running.begin(), running.end(), RunningSum{});
+    add_neighbours<D>(flock, target_at<D>(targets, j, question), sources, spans, question.image, running);
+    std::transform(running.begin(), running.end(),
+                   sums.begin() + static_cast<std::ptrdiff_t>(j * model.most_rows), rounded);
+  }
+}
+
+template <int D>
+void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question,
+                     std::span<NeighbourSum> sums) {
+  const Model& model = *question.model;
+  for (std::size_t j = batch.begin; j < batch.end; ++j) {
+    if (targets.flock_bit[j] == 0) continue;
+    const FlockModel& flock = model.flocks[targets.flock[j]];
     for (std::size_t r = 0; r < flock.rows.size(); ++r) {
       if (flock.rows[r].whole_population)
-        own[r] = whole_population<D>(flock.rows[r], targets, j, question.totals);
+        sums[j * model.most_rows + r] = whole_population<D>(flock.rows[r], targets, j, question.totals);
     }
   }
 }
 
 template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
 template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
-template void neighbour_sums<2>(const Boids&, std::size_t, std::size_t, const Boids&,
-                                const NeighbourQuestion&, std::span<NeighbourSum>);
-template void neighbour_sums<3>(const Boids&, std::size_t, std::size_t, const Boids&,
-                                const NeighbourQuestion&, std::span<NeighbourSum>);
+template void sum_batch<2>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
+                           std::span<NeighbourSum>);
+template void sum_batch<3>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
+                           std::span<NeighbourSum>);
+template void add_populations<2>(const Boids&, Span, const NeighbourQuestion&, std::span<NeighbourSum>);
+template void add_populations<3>(const Boids&, Span, const NeighbourQuestion&, std::span<NeighbourSum>);
 
 }  // namespace sturnus

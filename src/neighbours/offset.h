@@ -8,7 +8,7 @@
 namespace sturnus {
 
 /// How a space wraps: the caller says so, because a part of a larger world does not.
-struct Image {
+struct Wrapping {
   bool wraps = false;
   std::array<float, 3> size{};  ///< length of each axis
   std::array<float, 3> half{};
@@ -16,7 +16,7 @@ struct Image {
 
 /// (to - from) + shift, shift in {0, +size, -size} by comparison, never by rounding.
 template <int D>
-Vec<D> offset(const Vec<D>& from, const Vec<D>& to, const Image& image) {
+Vec<D> offset(const Vec<D>& from, const Vec<D>& to, const Wrapping& image) {
   Vec<D> o = to - from;
   if (!image.wraps) return o;
   for (int axis = 0; axis < D; ++axis) {

@@ -28,12 +28,19 @@ class Tree : public NeighbourIndex {
     const auto seen = std::stable_partition(order.begin(), order.end(),
                                             [&](std::uint32_t i) { return cloud.hidden[i] == 0; });
     nodes_.assign(1, root(static_cast<std::uint32_t>(seen - order.begin())));
+    leaves_.clear();
     divide(0, 0, order);
   }
 
-  void spans(const std::array<float, 3>& at, std::vector<Span>& spans) const override {
+  void spans(const std::array<float, 3>& from, const std::array<float, 3>& to,
+             std::vector<Span>& spans) const override {
     spans.clear();
-    visit(0, at, spans);
+    visit(0, from, to, spans);
+  }
+
+  void batches(std::vector<Span>& batches) const override {
+    batches.clear();
+    for (const Span leaf : leaves_) cut(leaf.begin, leaf.end, batches);
   }
 
   void boxes(std::vector<IndexBox>& boxes) const override {
@@ -80,7 +87,10 @@ class Tree : public NeighbourIndex {
 
   void divide(std::uint32_t at, int depth, std::vector<std::uint32_t>& order) {
     const Node node = nodes_[at];
-    if (node.end - node.begin <= leaf_size_ || depth >= depth_limit_) return;
+    if (node.end - node.begin <= leaf_size_ || depth >= depth_limit_) {
+      if (node.begin < node.end) leaves_.push_back({node.begin, node.end});
+      return;
+    }
     const unsigned children = 1u << axes();
     const auto first = static_cast<std::uint32_t>(nodes_.size());
     nodes_[at].first_child = first;
@@ -107,24 +117,27 @@ class Tree : public NeighbourIndex {
     return node;
   }
 
-  // From a place to the nearest point of the node, over the seam of a wrapped space where that is shorter.
-  double distance_squared(const Node& node, const std::array<float, 3>& at) const {
+  // From a box to the nearest point of the node, over the seam of a wrapped space where that is shorter.
+  double distance_squared(const Node& node, const std::array<float, 3>& from,
+                          const std::array<float, 3>& to) const {
     double sum = 0;
     for (std::size_t axis = 0; axis < axes(); ++axis) {
-      const double x = at[axis];
-      double gap = std::max({node.min[axis] - x, x - node.max[axis], 0.0});
+      const double low = from[axis];
+      const double high = to[axis];
+      double gap = std::max({node.min[axis] - high, low - node.max[axis], 0.0});
       if (cloud_.wraps && gap > 0) {
         const double size = double{cloud_.max[axis]} - double{cloud_.min[axis]};
-        gap = std::min({gap, std::abs(node.min[axis] + size - x), std::abs(x + size - node.max[axis])});
+        gap = std::min({gap, std::abs(node.min[axis] + size - high), std::abs(low + size - node.max[axis])});
       }
       sum += gap * gap;
     }
     return sum;
   }
 
-  void visit(std::uint32_t at, const std::array<float, 3>& place, std::vector<Span>& spans) const {
+  void visit(std::uint32_t at, const std::array<float, 3>& from, const std::array<float, 3>& to,
+             std::vector<Span>& spans) const {
     const Node& node = nodes_[at];
-    if (node.begin == node.end || distance_squared(node, place) > reach_ * reach_) return;
+    if (node.begin == node.end || distance_squared(node, from, to) > reach_ * reach_) return;
     if (node.first_child == 0) {
       if (!spans.empty() && spans.back().end == node.begin) {
         spans.back().end = node.end;
@@ -133,7 +146,7 @@ class Tree : public NeighbourIndex {
       }
       return;
     }
-    for (unsigned child = 0; child < 1u << axes(); ++child) visit(node.first_child + child, place, spans);
+    for (unsigned child = 0; child < 1u << axes(); ++child) visit(node.first_child + child, from, to, spans);
   }
 
   std::uint32_t leaf_size_;
@@ -141,6 +154,7 @@ class Tree : public NeighbourIndex {
   Cloud cloud_;
   double reach_ = 0;
   std::vector<Node> nodes_;
+  std::vector<Span> leaves_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace sturnus {
 
 template <int D>
 Vec<D> cruise(const TermModel& term, const Self<D>& self) {
-  return self.heading * (term.amount - self.speed);
+  return self.heading() * (term.amount - self.speed());
 }
 
 template Vec<2> cruise<2>(const TermModel&, const Self<2>&);

@@ -5,7 +5,7 @@ namespace sturnus {
 
 template <int D>
 Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, const Self<D>& self,
-                    const Image& image, float max_speed) {
+                    const Wrapping& image, float max_speed) {
   if (!pointer.pressed) return {};
   Vec<D> o = offset(self.position, narrow_to<D>(pointer.at), image);
   if (length(o) > model.radius) return {};
@@ -21,9 +21,9 @@ Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, cons
   return {};
 }
 
-template Vec<2> pointer_pull<2>(const PointerModel&, const PointerState&, const Self<2>&, const Image&,
+template Vec<2> pointer_pull<2>(const PointerModel&, const PointerState&, const Self<2>&, const Wrapping&,
                                 float);
-template Vec<3> pointer_pull<3>(const PointerModel&, const PointerState&, const Self<3>&, const Image&,
+template Vec<3> pointer_pull<3>(const PointerModel&, const PointerState&, const Self<3>&, const Wrapping&,
                                 float);
 
 }  // namespace sturnus

@@ -13,15 +13,12 @@ struct Self {
   std::uint64_t id = 0;
   Vec<D> position;
   Vec<D> velocity;
-  float speed = 0;
-  Vec<D> heading;  ///< v / |v|; zero at rest
+
+  float speed() const { return length(velocity); }
+  Vec<D> heading() const { return unit(velocity); }  ///< v / |v|; zero at rest
 
   Self(std::uint64_t own_id, const Vec<D>& own_position, const Vec<D>& own_velocity)
-      : id(own_id),
-        position(own_position),
-        velocity(own_velocity),
-        speed(length(own_velocity)),
-        heading(unit(own_velocity)) {}
+      : id(own_id), position(own_position), velocity(own_velocity) {}
 };
 
 /// When and under which seed numbers are drawn.

@@ -66,7 +66,7 @@ class Steering {
   const Model& model_;
   State& state_;
   const Scratch& scratch_;
-  Image image_;
+  Wrapping image_;
   Moment moment_;
 };
 

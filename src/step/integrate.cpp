@@ -1,4 +1,6 @@
 // From accelerations to velocities and places: Euler, speed limits, random turn, the edge of the space.
+#include <algorithm>
+
 #include "rules/rules.h"
 #include "step/step.h"
 #include "world/columns.h"
@@ -22,7 +24,8 @@ void move_boid(const Model& model, State& state, const Scratch& scratch, std::si
   const auto old_velocity = at<D>(state.velocity, i);
   Vec<D> velocity = old_velocity + at<D>(scratch.acceleration, i) * model.dt;
   velocity = limited(velocity, flock.min_speed, flock.max_speed);
-  velocity = turned_at_random(velocity, flock.noise_turn, state.id[i], {model.seed, state.step});
+  if (flock.noise_turn != 0)
+    velocity = turned_at_random(velocity, flock.noise_turn, state.id[i], {model.seed, state.step});
   const bool semi_implicit = model.integrator == Integrator::semi_implicit_euler;
   Vec<D> position = old_position + (semi_implicit ? velocity : old_velocity) * model.dt;
   const bool was_sound = all_sound(position) && all_sound(velocity);
@@ -36,12 +39,18 @@ void move_boid(const Model& model, State& state, const Scratch& scratch, std::si
   put(state.velocity, i, velocity);
 }
 
+void copy_part(const Columns& from, Columns& to, std::size_t begin, std::size_t end) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!from[axis].empty()) std::copy_n(from[axis].data() + begin, end - begin, to[axis].data() + begin);
+  }
+}
+
 template <int D>
 void integrate_in(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
   workers.for_ranges(state.size(), [&](std::size_t begin, std::size_t end, int) {
+    copy_part(state.position, scratch.previous_position, begin, end);
+    copy_part(state.velocity, scratch.previous_velocity, begin, end);
     for (std::size_t i = begin; i < end; ++i) {
-      put(scratch.previous_position, i, at<D>(state.position, i));
-      put(scratch.previous_velocity, i, at<D>(state.velocity, i));
       if (state.quarantined[i] == 0) move_boid<D>(model, state, scratch, i);
     }
   });

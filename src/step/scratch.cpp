@@ -24,8 +24,12 @@ void fit(Columns& columns, int axes, std::size_t size) {
 void poison(Scratch& scratch) {
   scratch.index.reset();
   spoil(scratch.order);
+  spoil(scratch.spare.ids);
+  spoil(scratch.spare.bytes);
+  spoil(scratch.spare.floats);
   spoil(scratch.flock_bit);
   spoil(scratch.totals);
+  spoil(scratch.batches);
   spoil(scratch.sums);
   for (Columns& columns : scratch.custom) spoil(columns);
   for (Columns* columns : {&scratch.heading, &scratch.acceleration, &scratch.next_colour,

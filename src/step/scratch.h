@@ -5,15 +5,18 @@
 #include <sturnus/simulation.h>
 
 #include "neighbours/kernel.h"
+#include "world/state.h"
 
 namespace sturnus {
 
 struct Scratch {
   std::unique_ptr<NeighbourIndex> index;
-  std::vector<std::uint32_t> order;      ///< where each boid stood before the index sorted them
+  std::vector<std::uint32_t> order;  ///< where each boid stood before the index sorted them
+  Spare spare;
   std::vector<std::uint64_t> flock_bit;  ///< 1 << flock, 0 for the quarantined
   Columns heading;
   std::vector<Totals> totals;
+  std::vector<Span> batches;  ///< of boids that are steered at once
   std::vector<NeighbourSum> sums;
   Columns acceleration;  ///< with the boundary's turn, before the time step
   Columns next_colour;

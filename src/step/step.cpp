@@ -42,6 +42,12 @@ Boids boids_of(const Model& model, const State& state, const Scratch& scratch) {
   return boids;
 }
 
+void find_batches(const State& state, Scratch& scratch) {
+  if (scratch.index) return scratch.index->batches(scratch.batches);
+  scratch.batches.clear();
+  cut(0, static_cast<std::uint32_t>(state.size()), scratch.batches);
+}
+
 template <int D>
 void sum_neighbours(const Model& model, const State& state, Scratch& scratch, const Workers& workers) {
   fill_flock_bits(state, scratch);
@@ -50,8 +56,10 @@ void sum_neighbours(const Model& model, const State& state, Scratch& scratch, co
   if (model.uses_totals) population_totals<D>(boids, model.flocks.size(), workers, scratch.totals);
   scratch.sums.resize(state.size() * model.most_rows);
   const NeighbourQuestion question{&model, scratch.index.get(), image_of(model), scratch.totals, state.step};
-  workers.for_ranges(state.size(), [&](std::size_t begin, std::size_t end, int) {
-    neighbour_sums<D>(boids, begin, end, boids, question, scratch.sums);
+  find_batches(state, scratch);
+  workers.for_ranges(scratch.batches.size(), [&](std::size_t begin, std::size_t end, int) {
+    neighbour_sums<D>(boids, std::span(scratch.batches).subspan(begin, end - begin), boids, question,
+                      scratch.sums);
   });
 }
 
@@ -88,8 +96,8 @@ Cloud cloud_of(const Model& model, const State& state) {
   return cloud;
 }
 
-Image image_of(const Model& model) {
-  Image image{model.wraps(), model.size, {}};
+Wrapping image_of(const Model& model) {
+  Wrapping image{model.wraps(), model.size, {}};
   for (std::size_t axis = 0; axis < 3; ++axis) image.half[axis] = 0.5f * model.size[axis];
   return image;
 }
@@ -101,7 +109,7 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
   const Cloud cloud = cloud_of(model, state);
   scratch.index = make_index(model.index, cloud, model.reach);
   scratch.index->build(cloud, model.reach, workers, scratch.order);
-  reorder(state, scratch.order);
+  reorder(state, scratch.order, scratch.spare);
 }
 
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,

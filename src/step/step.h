@@ -15,7 +15,7 @@ void quarantine(const Model& model, State& state);
 /// The places of the boids, as an index needs them. Hidden are those in quarantine.
 Cloud cloud_of(const Model& model, const State& state);
 /// How the model's space wraps.
-Image image_of(const Model& model);
+Wrapping image_of(const Model& model);
 
 /// Sorts the state by place.
 void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers);

@@ -16,10 +16,10 @@ namespace sturnus {
 namespace {
 
 template <class T>
-void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
+void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order, std::vector<T>& moved) {
   if (array.empty() || order.empty()) return;
   assert(order.size() == array.size());
-  std::vector<T> moved(array.size());
+  moved.resize(array.size());
   for (std::size_t i = 0; i < order.size(); ++i) moved[i] = array[order[i]];
   array.swap(moved);
 }
@@ -46,12 +46,18 @@ std::uint64_t hash(const State& state) {
   return sum + rest;
 }
 
-void reorder(State& state, const std::vector<std::uint32_t>& order) {
-  for_each_array(state, [&](auto& array) { permute(array, order); });
+void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare) {
+  permute(state.id, order, spare.ids);
+  permute(state.flock, order, spare.bytes);
+  permute(state.quarantined, order, spare.bytes);
+  for (Columns* columns : {&state.position, &state.velocity, &state.wander, &state.colour}) {
+    for (auto& column : *columns) permute(column, order, spare.floats);
+  }
 }
 
 void reorder(Columns& columns, const std::vector<std::uint32_t>& order) {
-  for (auto& column : columns) permute(column, order);
+  std::vector<float> moved;
+  for (auto& column : columns) permute(column, order, moved);
 }
 
 void keep(State& state, const std::vector<std::uint8_t>& marks) {
@@ -66,12 +72,8 @@ void keep(State& state, const std::vector<std::uint8_t>& marks) {
   });
 }
 
-bool is_sound(float value) {
-  return std::abs(value) <= 1e15f;
-}
-
-float wrapped(float coordinate, float min, float max) {
-  if ((coordinate >= min && coordinate < max) || !is_sound(coordinate)) return coordinate;
+float wrapped_from_outside(float coordinate, float min, float max) {
+  if (!is_sound(coordinate)) return coordinate;
   const float size = max - min;
   const float turned = coordinate - size * std::floor((coordinate - min) / size);
   return turned >= min && turned < max ? turned : min;

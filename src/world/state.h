@@ -3,6 +3,8 @@
 
 #include <sturnus/view.h>
 
+#include <cmath>
+
 namespace sturnus {
 
 /// Calls f(array) for every per-boid array, of whatever type.
@@ -20,8 +22,15 @@ void for_each_array(AnyState& state, F&& f) {
 /// on the order of storage.
 std::uint64_t hash(const State& state);
 
+/// Memory that reordering works in, kept so that it need not be asked for in every step.
+struct Spare {
+  std::vector<std::uint64_t> ids;
+  std::vector<std::uint8_t> bytes;
+  std::vector<float> floats;
+};
+
 /// Puts boid order[i] at place i. `order` is a permutation, or empty for "as it is".
-void reorder(State& state, const std::vector<std::uint32_t>& order);
+void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare);
 /// The same for arrays beside the state; empty ones stay empty.
 void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
 
@@ -29,11 +38,16 @@ void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
 void keep(State& state, const std::vector<std::uint8_t>& marks);
 
 /// A number that a step may compute with: finite, and not beyond 1e15.
-bool is_sound(float value);
+inline bool is_sound(float value) {
+  return std::abs(value) <= 1e15f;
+}
 
 /// Wraps a coordinate into [min, max) of a space of that size by floored modulo; exactly max becomes min.
 /// What is not sound stays as it is, for the quarantine to see.
-float wrapped(float coordinate, float min, float max);
+float wrapped_from_outside(float coordinate, float min, float max);
+inline float wrapped(float coordinate, float min, float max) {
+  return coordinate >= min && coordinate < max ? coordinate : wrapped_from_outside(coordinate, min, max);
+}
 
 /// Bytes that a run of that many boids needs, and bytes that the machine has to give.
 double bytes_needed(double boids);

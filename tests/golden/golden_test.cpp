@@ -1,5 +1,5 @@
-// The same bits everywhere: every shipped scenario against its known hashes, for several thread counts and
-// with garbage in the working memory, compared at every step.
+// The same bits everywhere: every shipped scenario against its known hashes, for several thread counts, with
+// garbage in the working memory, and on every instruction set, compared at every step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,9 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <tuple>
 
+#include "isas.h"
 #include "support.h"
 
 namespace sturnus::test {
@@ -130,6 +132,26 @@ TEST_P(FullGolden, SameBitsForAThousandSteps) {
   compare_with_file();
 }
 
+/// A scenario on one instruction set, beside the plain loop.
+class GoldenIsa : public testing::TestWithParam<std::tuple<std::size_t, NamedIsa>> {};
+
+TEST_P(GoldenIsa, SameBitsAsThePlainLoop) {
+  const auto& [number, isa] = GetParam();
+  const IsaGuard guard;
+  if (!use_isa(isa.isa)) GTEST_SKIP() << "this machine has no " << isa.name;
+  const ScenarioDef scenario = reduced(shipped_scenarios()[number]);
+  Simulation plain = start(scenario);
+  Simulation wide = start(scenario, 2);
+  for (int step = 1; step <= 20; ++step) {
+    ASSERT_TRUE(use_isa(Isa::plain));
+    plain.step();
+    ASSERT_TRUE(use_isa(isa.isa));
+    wide.step();
+    ASSERT_EQ(wide.hash(), plain.hash()) << shipped_scenarios()[number].name << ", step " << step << ": "
+                                         << isa_in_use() << ", " << first_difference(plain, wide);
+  }
+}
+
 std::vector<std::size_t> every_scenario() {
   std::vector<std::size_t> indexes;
   while (indexes.size() < shipped_scenarios().size()) indexes.push_back(indexes.size());
@@ -142,6 +164,13 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
   return name;
 }
 
+std::string name_of_both(const testing::TestParamInfo<GoldenIsa::ParamType>& info) {
+  return name_of({std::get<0>(info.param), 0}) + "_" + std::get<1>(info.param).name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, GoldenIsa,
+                         testing::Combine(testing::ValuesIn(every_scenario()), testing::ValuesIn(wide_isas)),
+                         name_of_both);
 INSTANTIATE_TEST_SUITE_P(Shipped, Golden, testing::ValuesIn(every_scenario()), name_of);
 INSTANTIATE_TEST_SUITE_P(Full, FullGolden, testing::ValuesIn(every_scenario()), name_of);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Golden);

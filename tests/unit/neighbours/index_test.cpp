@@ -53,7 +53,7 @@ Sets found_sets(RandomWorld world, NeighbourIndex& index) {
     const auto place = place_of<D>(world, j);
     std::array<float, 3> at{};
     std::copy(place.at.begin(), place.at.end(), at.begin());
-    index.spans(at, spans);
+    index.spans(at, at, spans);
     std::vector<int> times(world.size());
     for (const Span span : spans) {
       RC_ASSERT(span.begin <= span.end && span.end <= world.size());
@@ -94,6 +94,88 @@ RC_GTEST_PROP(NeighbourIndex, FindsTheSameSetsInOpenWorlds, ()) {
 }
 RC_GTEST_PROP(NeighbourIndex, FindsTheSameSetsInWrappedWorlds, ()) {
   for (int i = 0; i < 20; ++i) expect_equal_sets(random_world(true));
+}
+
+/// From a boid to the nearest place of a box, over the seam where that is shorter.
+double distance_to(const RandomWorld& world, const IndexBox& box, std::size_t i) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < world.axes(); ++axis) {
+    const double at = world.position[axis][i];
+    double gap = infinity;
+    for (const int turns : {-1, 0, 1}) {
+      if (turns != 0 && !world.wraps) continue;
+      const double image = at + turns * (double{world.max[axis]} - double{world.min[axis]});
+      gap = std::min(gap, std::max({box.min[axis] - image, image - box.max[axis], 0.0}));
+    }
+    sum += gap * gap;
+  }
+  return std::sqrt(sum);
+}
+
+/// The box of some boids.
+IndexBox box_around(const RandomWorld& world, std::initializer_list<std::size_t> boids) {
+  IndexBox box;
+  for (std::size_t axis = 0; axis < world.axes(); ++axis) {
+    box.min[axis] = box.max[axis] = world.position[axis][*boids.begin()];
+    for (const std::size_t i : boids) {
+      box.min[axis] = std::min(box.min[axis], world.position[axis][i]);
+      box.max[axis] = std::max(box.max[axis], world.position[axis][i]);
+    }
+  }
+  return box;
+}
+
+void expect_batches(const RandomWorld& world, const NeighbourIndex& index) {
+  std::vector<Span> batches;
+  index.batches(batches);
+  std::vector<int> times(world.size());
+  for (const Span batch : batches) {
+    RC_ASSERT(batch.begin < batch.end && batch.end <= world.size());
+    RC_ASSERT(batch.end - batch.begin <= batch_size);
+    for (std::uint32_t i = batch.begin; i < batch.end; ++i) ++times[i];
+  }
+  for (std::size_t i = 0; i < world.size(); ++i)
+    RC_ASSERT(times[i] == 1 || (times[i] == 0 && world.hidden[i] != 0));
+}
+
+void expect_all_near_a_box(const RandomWorld& world, const NeighbourIndex& index) {
+  if (world.size() == 0) return;
+  const auto count = static_cast<int>(world.size());
+  const auto one = static_cast<std::size_t>(*rc::gen::inRange(0, count));
+  const auto other = static_cast<std::size_t>(*rc::gen::inRange(0, count));
+  const IndexBox box = box_around(world, {one, other});
+  std::vector<Span> spans;
+  index.spans(box.min, box.max, spans);
+  std::vector<int> times(world.size());
+  for (const Span span : spans) {
+    for (std::uint32_t i = span.begin; i < span.end; ++i) ++times[i];
+  }
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    RC_ASSERT(times[i] <= 1);
+    const bool is_near = distance_to(world, box, i) <= double{world.reach} * (1 - 1e-6);
+    RC_ASSERT(times[i] == 1 || world.hidden[i] != 0 || !is_near);
+  }
+}
+
+void expect_batches_and_boxes(RandomWorld world) {
+  for (const IndexKind kind : {IndexKind::grid, IndexKind::tree, IndexKind::all_pairs}) {
+    Index wanted;
+    wanted.kind = kind;
+    wanted.leaf_size = *rc::gen::inRange(1, 40);
+    const auto index = make_index(wanted, world.cloud(), world.reach);
+    std::vector<std::uint32_t> order;
+    index->build(world.cloud(), world.reach, Workers(1), order);
+    world.reorder_as(order);
+    expect_batches(world, *index);
+    for (int i = 0; i < 5; ++i) expect_all_near_a_box(world, *index);
+  }
+}
+
+RC_GTEST_PROP(NeighbourIndex, BatchesHoldAllOnceAndBoxesMissNobodyInOpenWorlds, ()) {
+  for (int i = 0; i < 10; ++i) expect_batches_and_boxes(random_world(false));
+}
+RC_GTEST_PROP(NeighbourIndex, BatchesHoldAllOnceAndBoxesMissNobodyInWrappedWorlds, ()) {
+  for (int i = 0; i < 10; ++i) expect_batches_and_boxes(random_world(true));
 }
 
 // The real thing: the scenario's own indexes, on one step of every boundary and dimension.
@@ -157,7 +239,7 @@ TEST(NeighbourIndex, OneFarAwayDoesNotMakeAllCellsHuge) {
   std::vector<std::uint32_t> order;
   index->build(world.cloud(), 2, Workers(1), order);
   std::vector<Span> spans;
-  index->spans({44, 44, 0}, spans);
+  index->spans({44, 44, 0}, {44, 44, 0}, spans);
   std::size_t looked_at = 0;
   for (const Span span : spans) looked_at += span.end - span.begin;
   EXPECT_LT(looked_at, 100u);
@@ -201,7 +283,7 @@ TEST(NeighbourIndex, TreeStopsAtItsDepthWhereAllAreAtOnePoint) {
   std::vector<std::uint32_t> order;
   index->build(world.cloud(), 0.01f, Workers(1), order);
   std::vector<Span> spans;
-  index->spans({0.3f, 0.3f, 0}, spans);
+  index->spans({0.3f, 0.3f, 0}, {0.3f, 0.3f, 0}, spans);
   ASSERT_EQ(spans.size(), 1u);
   EXPECT_EQ(spans.front().end - spans.front().begin, 100u);
 }

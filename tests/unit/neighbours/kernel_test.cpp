@@ -54,6 +54,7 @@ Model model_with(const NeighbourRow& row) {
   model.flocks[0].rows = {row};
   model.flocks[0].reach_squared = row.outer_squared;
   model.most_rows = 1;
+  model.uses_totals = row.whole_population;
   return model;
 }
 
@@ -71,7 +72,9 @@ std::vector<NeighbourSum> sums_of(const Model& model, const Crowd& targets, cons
   index->build(sources.cloud(), 1, Workers(1), order);
   std::vector<NeighbourSum> sums(targets.id.size());
   const NeighbourQuestion question{&model, index.get(), {}, totals, step};
-  neighbour_sums<2>(targets.boids(), 0, targets.id.size(), sources.boids(), question, sums);
+  std::vector<Span> batches;
+  cut(0, static_cast<std::uint32_t>(targets.id.size()), batches);
+  neighbour_sums<2>(targets.boids(), batches, sources.boids(), question, sums);
   return sums;
 }
 

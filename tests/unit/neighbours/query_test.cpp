@@ -54,7 +54,7 @@ TEST(Nearest, LooksOverTheSeamAndPastTheHidden) {
 }
 
 TEST(Offset, TakesTheNearestImageByComparison) {
-  const Image image{true, {10, 10, 0}, {5, 5, 0}};
+  const Wrapping image{true, {10, 10, 0}, {5, 5, 0}};
   EXPECT_EQ(offset<2>({{1, 1}}, {{9, 2}}, image), (Vec<2>{{-2, 1}}));
   EXPECT_EQ(offset<2>({{9, 2}}, {{1, 1}}, image), (Vec<2>{{2, -1}}));
   EXPECT_EQ(offset<2>({{0, 0}}, {{5, 0}}, image), (Vec<2>{{5, 0}}));  // exactly half stays

@@ -37,8 +37,8 @@ struct RandomWorld {
     return cloud;
   }
 
-  Image image() const {
-    Image image{wraps, {}, {}};
+  Wrapping image() const {
+    Wrapping image{wraps, {}, {}};
     for (std::size_t axis = 0; axis < axes(); ++axis) {
       image.size[axis] = max[axis] - min[axis];
       image.half[axis] = 0.5f * image.size[axis];
@@ -80,7 +80,7 @@ inline float random_coordinate(int manner, const RandomWorld& world, std::size_t
   }
 }
 
-inline RandomWorld random_world(bool wraps) {
+inline RandomWorld random_world(bool wraps, int most = 70) {
   RandomWorld world;
   world.dimensions = *rc::gen::inRange(2, 4);
   world.wraps = wraps;
@@ -90,7 +90,7 @@ inline RandomWorld random_world(bool wraps) {
     world.max[axis] = world.min[axis] + world.reach * *rc::gen::element(1.0f, 3.0f, 3.01f, 4.0f, 7.3f, 20.0f);
   }
   const int manner = *rc::gen::inRange(0, 5);
-  const int count = *rc::gen::inRange(0, 70);
+  const int count = *rc::gen::inRange(0, most);
   for (int i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < world.axes(); ++axis) {
       const float at = random_coordinate(manner, world, axis);

@@ -88,18 +88,20 @@ RC_GTEST_PROP(StateHash, DoesNotDependOnTheOrderOfStorage, ()) {
   std::vector<std::uint32_t> order(state.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
   std::shuffle(order.begin(), order.end(), std::mt19937(*rc::gen::arbitrary<unsigned>()));
-  reorder(state, order);
+  Spare spare;
+  reorder(state, order, spare);
   RC_ASSERT(hash(state) == before);
 }
 
 TEST(Reorder, PutsEveryArrayInTheSameOrder) {
   State state = full_state(3, 4);
   const State before = state;
-  reorder(state, {2, 0, 3, 1});
+  Spare spare;
+  reorder(state, {2, 0, 3, 1}, spare);
   EXPECT_EQ(state.id, (std::vector<std::uint64_t>{17, 3, 24, 10}));
   EXPECT_EQ(state.velocity[2][0], before.velocity[2][2]);
   EXPECT_EQ(state.colour[1][3], before.colour[1][1]);
-  reorder(state, {});
+  reorder(state, {}, spare);
   EXPECT_EQ(state.id.front(), 17u);
 }
 
@@ -143,7 +145,8 @@ TEST(View, FindsBoidsByTheirIds) {
   const ScenarioDef scenario;
   const Columns none;
   State state = full_state(2, 4);
-  reorder(state, {3, 1, 0, 2});
+  Spare spare;
+  reorder(state, {3, 1, 0, 2}, spare);
   const View view(state, scenario, none, none);
   EXPECT_EQ(view.slot(24), 0u);
   EXPECT_EQ(view.slot(3), 2u);
