@@ -30,6 +30,9 @@ enum class SteeringForm { heading, seek, linear };
 enum class BoundaryKind { open, wrap, turn, bounce };
 enum class Integrator { semi_implicit_euler, explicit_euler };
 enum class IndexKind { grid, tree, all_pairs };
+/// How sums over neighbours are made: `sparse` looks at every neighbour, `dense` takes those well inside a
+/// radius together, `automatic` chooses from the model and the state.
+enum class SumPath { automatic, sparse, dense };
 enum class StartRegion { space, box, ball, ring };
 enum class GlyphStyle { dart, cone, circle };
 enum class CameraFit { space, flock };
@@ -203,6 +206,7 @@ struct Time {
 /// How neighbours are found. Equal neighbour sets everywhere; another index may add in another order.
 struct Index {
   IndexKind kind = IndexKind::grid;
+  SumPath path = SumPath::automatic;
   std::int64_t leaf_size = 16;    ///< tree: a node with more boids than this is divided
   std::int64_t depth_limit = 16;  ///< tree: but never deeper than this
 };

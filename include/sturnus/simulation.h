@@ -8,6 +8,7 @@
 #include <sturnus/result.h>
 #include <sturnus/scenario.h>
 #include <sturnus/view.h>
+#include <sturnus/watch.h>
 
 #include <functional>
 #include <map>
@@ -101,6 +102,10 @@ class Simulation {
   /// Accelerations from outside, felt in the next step only, by slot of the present view; forgotten when a
   /// command adds or erases boids before that.
   Accelerations external();
+
+  /// Tells `watch` of the parts of every later step; null: nobody. It has to outlive the simulation or be
+  /// taken off before. Changes no result.
+  void watch(StepWatch* watch);
 
   /// The places of the neighbour index's cells or leaves, for pictures: min and max corner of each.
   std::vector<std::array<std::array<float, 3>, 2>> index_boxes() const;

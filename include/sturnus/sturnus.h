@@ -13,3 +13,4 @@
 #include <sturnus/steering.h>
 #include <sturnus/triangles.h>
 #include <sturnus/version.h>
+#include <sturnus/watch.h>

@@ -24,10 +24,12 @@ struct Scratch {
   Columns previous_position, previous_velocity;  ///< before the last step, for observers
 };
 
-/// What acts on a step besides the model: rules of the user's own, accelerations from outside.
+/// What acts on a step besides the model: rules of the user's own, accelerations from outside;
+/// and who looks on.
 struct Outside {
   std::vector<Rule> rules;
   Columns external;  ///< empty, or one value for each boid in the order before the step
+  StepWatch* watch = nullptr;
 };
 
 /// Makes the columns of as many axes hold `size` values.

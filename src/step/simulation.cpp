@@ -335,6 +335,10 @@ Accelerations Simulation::external() {
   return {world_->outside.external, world_->state.size()};
 }
 
+void Simulation::watch(StepWatch* watch) {
+  world_->outside.watch = watch;
+}
+
 std::vector<std::array<std::array<float, 3>, 2>> Simulation::index_boxes() const {
   const World& world = *world_;
   std::vector<std::array<std::array<float, 3>, 2>> out;

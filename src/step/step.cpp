@@ -114,13 +114,19 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
 
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
           const Outside& outside, const Workers& workers) {
+  if (outside.watch != nullptr) outside.watch->begin(Phase::sort, 0);
   quarantine(model, state);
   sort_by_place(model, state, scratch, workers);
+  if (outside.watch != nullptr) outside.watch->end(Phase::sort, 0);
+  if (outside.watch != nullptr) outside.watch->begin(Phase::neighbours, 0);
   model.dimensions == 3 ? sum_neighbours<3>(model, state, scratch, workers)
                         : sum_neighbours<2>(model, state, scratch, workers);
   ask_outside(scenario, state, scratch, outside);
+  if (outside.watch != nullptr) outside.watch->end(Phase::neighbours, 0);
+  if (outside.watch != nullptr) outside.watch->begin(Phase::motion, 0);
   combine(model, state, scratch, workers);
   integrate(model, state, scratch, workers);
+  if (outside.watch != nullptr) outside.watch->end(Phase::motion, 0);
   ++state.step;
 }
 

@@ -1,0 +1,22 @@
+// Who looks on while a step is made: the times of its parts are measured from outside, since the library has
+// no clock.
+#pragma once
+
+#include <cstdint>
+
+namespace sturnus {
+
+/// The parts of a step. `sort`: bad numbers, the neighbour index, the order of storage. `neighbours`: the
+/// sums over neighbours. `motion`: from sums to accelerations, velocities and places.
+enum class Phase : std::uint8_t { sort, neighbours, motion };
+
+/// Is told when a thread begins and ends a stretch of a phase; a phase may have many stretches. Called on the
+/// thread that does the work, by several at once with different `part` (0 to threads - 1).
+class StepWatch {
+ public:
+  virtual ~StepWatch() = default;
+  virtual void begin(Phase phase, int part) = 0;
+  virtual void end(Phase phase, int part) = 0;
+};
+
+}  // namespace sturnus
