@@ -206,9 +206,9 @@ struct Time {
 /// How neighbours are found. Equal neighbour sets everywhere; another index may add in another order.
 struct Index {
   IndexKind kind = IndexKind::grid;
-  SumPath path = SumPath::automatic;
   std::int64_t leaf_size = 16;    ///< tree: a node with more boids than this is divided
   std::int64_t depth_limit = 16;  ///< tree: but never deeper than this
+  SumPath path = SumPath::automatic;
 };
 
 /// The mouse or any other point that a person moves: attracts or repels while pressed.

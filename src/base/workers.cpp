@@ -51,12 +51,26 @@ int Workers::count() const {
   return team_->count;
 }
 
-void Workers::for_ranges(std::size_t n,
-                         const std::function<void(std::size_t, std::size_t, int)>& body) const {
+namespace {
+
+// Where a part begins: after as many things as make up its share of the weight.
+std::size_t begin_of(std::size_t part, std::size_t parts, std::size_t n,
+                     std::span<const std::uint64_t> weights) {
+  if (weights.empty()) return n * part / parts;
+  const std::uint64_t share = weights.back() / parts * part;
+  const auto found = std::upper_bound(weights.begin(), weights.end(), share);
+  return part == parts ? n : part == 0 ? 0 : static_cast<std::size_t>(found - weights.begin());
+}
+
+}  // namespace
+
+void Workers::run(std::size_t n, std::span<const std::uint64_t> weights, Erased body) const {
   const auto parts = std::min<std::size_t>(static_cast<std::size_t>(team_->count), n);
   const auto run_part = [&](std::size_t part) {
     const FloatSettings settings;
-    body(n * part / parts, n * (part + 1) / parts, static_cast<int>(part));
+    const std::size_t begin = begin_of(part, parts, n, weights);
+    const std::size_t end = begin_of(part + 1, parts, n, weights);
+    if (begin < end) body.call(body.body, begin, end, static_cast<int>(part));
   };
 #ifdef STURNUS_TBB
   if (parts > 1) {

@@ -7,19 +7,27 @@
 namespace sturnus {
 namespace {
 
-// Cells along one axis. Places outside fall into the first or last cell, which keeps near ones near.
+// Cells along one axis. Places outside fall into the first or last cell, which keeps near ones near. The cell
+// of a place is found in float, by the same operations for boids and for questions, so that it never falls
+// when the place rises; what rounding does beside that is in the padding of the reach.
 struct Axis {
-  double min = 0;
-  double cells_per_length = 1;
-  std::int64_t cells = 1;
+  float min = 0;
+  float cells_per_length = 1;
+  std::int32_t cells = 1;
 
-  std::int64_t unbounded_cell(double at) const {
-    const double place = std::clamp((at - min) * cells_per_length, -1e15, 1e15);
-    const auto cell = static_cast<std::int64_t>(place);  // towards zero; std::floor would be a call
-    return cell - (place < static_cast<double>(cell) ? 1 : 0);
+  float place(float at) const { return (at - min) * cells_per_length; }
+  std::uint32_t cell(float at) const {
+    const float most = static_cast<float>(cells - 1);
+    const float p = place(at);
+    const float up = p > 0 ? p : 0.0f;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(up < most ? up : most));
   }
-  std::int64_t cell(double at) const { return std::clamp<std::int64_t>(unbounded_cell(at), 0, cells - 1); }
-  double edge(std::int64_t cell) const { return min + static_cast<double>(cell) / cells_per_length; }
+  std::int64_t unbounded_cell(double at) const {
+    const float p = std::clamp(place(static_cast<float>(at)), -1e9f, 1e9f);
+    const auto whole = static_cast<std::int64_t>(p);  // towards zero; std::floor would be a call
+    return whole - (p < static_cast<float>(whole) ? 1 : 0);
+  }
+  double edge(std::int64_t cell) const { return double{min} + static_cast<double>(cell) / double{cells_per_length}; }
 };
 
 // One or two runs of cells: a question may reach over the seam of a wrapped space.
@@ -40,15 +48,17 @@ class Grid : public NeighbourIndex {
     cloud_ = cloud;
     reach_ = padded_reach(cloud, reach);
     choose_axes();
+    find_cells(workers);
     sort(workers, order);
   }
 
-  void spans(const std::array<float, 3>& from, const std::array<float, 3>& to,
+  void spans(const std::array<float, 3>& from, const std::array<float, 3>& to, float reach,
              std::vector<Span>& spans) const override {
     spans.clear();
-    const Runs x = runs(0, from[0], to[0]);
-    const Runs y = runs(1, from[1], to[1]);
-    const Runs z = cloud_.dimensions == 3 ? runs(2, from[2], to[2]) : Runs{{0, 0}, {0, 0}, 1};
+    const double far = padded_reach(cloud_, reach);
+    const Runs x = runs(0, from[0] - far, to[0] + far);
+    const Runs y = runs(1, from[1] - far, to[1] + far);
+    const Runs z = cloud_.dimensions == 3 ? runs(2, from[2] - far, to[2] + far) : Runs{{0, 0}, {0, 0}, 1};
     for (int i = 0; i < z.count; ++i) {
       for (std::int64_t layer = z.first[i]; layer <= z.last[i]; ++layer) {
         for (int j = 0; j < y.count; ++j) {
@@ -60,7 +70,7 @@ class Grid : public NeighbourIndex {
 
   void batches(std::vector<Span>& batches) const override {
     batches.clear();
-    for (std::int64_t row = 0; row < axes_[1].cells * axes_[2].cells; ++row) {
+    for (std::int64_t row = 0; row < row_count(); ++row) {
       const auto first = static_cast<std::size_t>(row * axes_[0].cells);
       cut(begin_[first], begin_[first + static_cast<std::size_t>(axes_[0].cells)], batches);
     }
@@ -72,7 +82,7 @@ class Grid : public NeighbourIndex {
       const auto i = static_cast<std::size_t>(cell);
       if (begin_[i] == begin_[i + 1]) continue;
       const std::array<std::int64_t, 3> at = {cell % axes_[0].cells, cell / axes_[0].cells % axes_[1].cells,
-                                              cell / (axes_[0].cells * axes_[1].cells)};
+                                              cell / (std::int64_t{axes_[0].cells} * axes_[1].cells)};
       IndexBox box;
       for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis) {
         box.min[axis] = static_cast<float>(axes_[axis].edge(at[axis]));
@@ -83,7 +93,8 @@ class Grid : public NeighbourIndex {
   }
 
  private:
-  std::int64_t cell_count() const { return axes_[0].cells * axes_[1].cells * axes_[2].cells; }
+  std::int64_t cell_count() const { return row_count() * axes_[0].cells; }
+  std::int64_t row_count() const { return std::int64_t{axes_[1].cells} * axes_[2].cells; }
 
   // Where the boids are on one axis: lowest and highest of those that are not hidden.
   std::array<double, 2> reach_of_boids(std::size_t axis) const {
@@ -121,16 +132,17 @@ class Grid : public NeighbourIndex {
 
   // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how
   // many.
+  static constexpr double most_along_an_axis = 1 << 22;  // cells that a float still tells apart
   double lay(const std::array<std::array<double, 2>, 3>& stretch, double scale) {
     double total = 1;
     axes_[2] = {};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis) {
       const double wanted = (axis == 0 ? reach_ / 4 : reach_) * scale;
       const double length = stretch[axis][1] - stretch[axis][0];
-      const double cells = std::max(1.0, std::floor(length / wanted));
-      axes_[axis].min = stretch[axis][0];
-      axes_[axis].cells = static_cast<std::int64_t>(std::min(cells, 1e15));
-      axes_[axis].cells_per_length = length > 0 ? cells / length : 1;
+      const double cells = std::clamp(std::floor(length / wanted), 1.0, most_along_an_axis);
+      axes_[axis].min = static_cast<float>(stretch[axis][0]);
+      axes_[axis].cells = static_cast<std::int32_t>(cells);
+      axes_[axis].cells_per_length = length > 0 ? static_cast<float>(cells / length) : 1;
       total *= cells;
     }
     return total;
@@ -154,44 +166,114 @@ class Grid : public NeighbourIndex {
     while (lay(stretch, scale) > limit) scale *= 1.25;
   }
 
-  std::uint32_t cell_of(std::size_t i) const {
-    if (cloud_.hidden[i] != 0) return static_cast<std::uint32_t>(cell_count());
-    std::int64_t cell = cloud_.dimensions == 3 ? axes_[2].cell(cloud_.position[2][i]) : 0;
-    cell = cell * axes_[1].cells + axes_[1].cell(cloud_.position[1][i]);
-    cell = cell * axes_[0].cells + axes_[0].cell(cloud_.position[0][i]);
-    return static_cast<std::uint32_t>(cell);
+  template <int D>
+  void find_cells_in(std::size_t begin, std::size_t end) {
+    const Axis x = axes_[0], y = axes_[1], z = axes_[2];
+    const float* const px = cloud_.position[0];
+    const float* const py = cloud_.position[1];
+    const float* const pz = cloud_.position[2];
+    std::uint32_t* const cells = cells_.data();
+    for (std::size_t i = begin; i < end; ++i) {
+      std::uint32_t row = y.cell(py[i]);
+      if (D == 3) row += z.cell(pz[i]) * static_cast<std::uint32_t>(y.cells);
+      cells[i] = row * static_cast<std::uint32_t>(x.cells) + x.cell(px[i]);
+    }
   }
 
-  // Stable counting sort; hidden boids come last, in a cell that nobody asks for.
-  void sort(const Workers& workers, std::vector<std::uint32_t>& order) {
+  // Hidden boids come last, in a cell that nobody asks for.
+  void find_cells(const Workers& workers) {
     cells_.resize(cloud_.count);
     workers.for_ranges(cloud_.count, [this](std::size_t begin, std::size_t end, int) {
-      for (std::size_t i = begin; i < end; ++i) cells_[i] = cell_of(i);
+      cloud_.dimensions == 3 ? find_cells_in<3>(begin, end) : find_cells_in<2>(begin, end);
+      if (!cloud_.hides) return;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (cloud_.hidden[i] != 0) cells_[i] = static_cast<std::uint32_t>(cell_count());
+      }
     });
-    begin_.assign(static_cast<std::size_t>(cell_count()) + 2, 0);
-    for (const std::uint32_t cell : cells_) ++begin_[cell + 1];
-    for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
-    next_ = begin_;
-    order.resize(cloud_.count);
-    for (std::size_t i = 0; i < cloud_.count; ++i) order[next_[cells_[i]]++] = static_cast<std::uint32_t>(i);
   }
 
-  Runs runs(std::size_t axis, float from, float to) const {
+  // Stable counting sort. Every part of the boids counts for itself, so that each knows where in a cell its
+  // own begin: after those of the parts before it.
+  void sort(const Workers& workers, std::vector<std::uint32_t>& order) {
+    const auto cells = static_cast<std::size_t>(cell_count()) + 1;
+    const auto parts = static_cast<std::size_t>(workers.count());
+    counts_.resize(parts * cells);
+    workers.for_ranges(parts, [&](std::size_t first, std::size_t last, int) {
+      for (std::size_t part = first; part < last; ++part) count_part(part, parts, cells);
+    });
+    add_up(parts, cells, workers);
+    order.resize(cloud_.count);
+    workers.for_ranges(parts, [&](std::size_t first, std::size_t last, int) {
+      for (std::size_t part = first; part < last; ++part) place_part(part, parts, cells, order);
+    });
+  }
+
+  void count_part(std::size_t part, std::size_t parts, std::size_t cells) {
+    std::uint32_t* const counts = counts_.data() + part * cells;
+    std::fill_n(counts, cells, 0u);
+    const std::size_t end = cloud_.count * (part + 1) / parts;
+    for (std::size_t i = cloud_.count * part / parts; i < end; ++i) ++counts[cells_[i]];
+  }
+
+  void place_part(std::size_t part, std::size_t parts, std::size_t cells, std::vector<std::uint32_t>& order) {
+    std::uint32_t* const next = counts_.data() + part * cells;
+    const std::size_t end = cloud_.count * (part + 1) / parts;
+    for (std::size_t i = cloud_.count * part / parts; i < end; ++i)
+      order[next[cells_[i]]++] = static_cast<std::uint32_t>(i);
+  }
+
+  // From counts to where each cell begins, and in it each part.
+  void add_up(std::size_t parts, std::size_t cells, const Workers& workers) {
+    begin_.resize(cells + 1);
+    sums_.assign(parts + 1, 0);
+    workers.for_ranges(parts, [&](std::size_t first, std::size_t last, int) {
+      for (std::size_t range = first; range < last; ++range) {
+        std::uint32_t sum = 0;
+        for (std::size_t part = 0; part < parts && parts > 1; ++part) {
+          const std::uint32_t* const counts = counts_.data() + part * cells;
+          for (std::size_t cell = cells * range / parts; cell < cells * (range + 1) / parts; ++cell)
+            sum += counts[cell];
+        }
+        sums_[range + 1] = sum;
+      }
+    });
+    for (std::size_t range = 0; range < parts; ++range) sums_[range + 1] += sums_[range];
+    workers.for_ranges(parts, [&](std::size_t first, std::size_t last, int) {
+      for (std::size_t range = first; range < last; ++range) lay_out(range, parts, cells);
+    });
+    begin_[cells] = static_cast<std::uint32_t>(cloud_.count);
+  }
+
+  void lay_out(std::size_t range, std::size_t parts, std::size_t cells) {
+    std::uint32_t at = sums_[range];
+    for (std::size_t cell = cells * range / parts; cell < cells * (range + 1) / parts; ++cell) {
+      begin_[cell] = at;
+      for (std::size_t part = 0; part < parts; ++part) {
+        std::uint32_t& counted = counts_[part * cells + cell];
+        const std::uint32_t count = counted;
+        counted = at;
+        at += count;
+      }
+    }
+  }
+
+  // The cells between two places, which may lie outside the space.
+  Runs runs(std::size_t axis, double from, double to) const {
     const Axis& cells = axes_[axis];
     Runs out;
     if (!cloud_.wraps) {
-      out.add(cells.cell(from - reach_), cells.cell(to + reach_));
+      out.add(cells.cell(static_cast<float>(from)), cells.cell(static_cast<float>(to)));
       return out;
     }
-    const std::int64_t low = cells.unbounded_cell(from - reach_);
-    const std::int64_t high = cells.unbounded_cell(to + reach_);
+    const std::int64_t low = cells.unbounded_cell(from);
+    const std::int64_t high = cells.unbounded_cell(to);
     if (high - low + 1 >= cells.cells) {
       out.add(0, cells.cells - 1);
     } else if (low < 0) {
       out.add(low + cells.cells, cells.cells - 1);
       out.add(0, high);
     } else {
-      out.add(low, std::min(high, cells.cells - 1));
+      out.add(low, std::min<std::int64_t>(high, cells.cells - 1));
       out.add(0, high - cells.cells);
     }
     return out;
@@ -210,8 +292,9 @@ class Grid : public NeighbourIndex {
   double reach_ = 0;
   std::array<Axis, 3> axes_;
   std::vector<std::uint32_t> cells_;
-  std::vector<std::uint32_t> begin_;
-  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> begin_;   ///< of each cell, and the end of the last
+  std::vector<std::uint32_t> counts_;  ///< of each part, cell by cell; later where its next boid goes
+  std::vector<std::uint32_t> sums_;
 };
 
 }  // namespace

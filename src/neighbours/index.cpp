@@ -14,7 +14,7 @@ class AllPairs : public NeighbourIndex {
     order.clear();
     cloud_ = cloud;
   }
-  void spans(const std::array<float, 3>&, const std::array<float, 3>&,
+  void spans(const std::array<float, 3>&, const std::array<float, 3>&, float,
              std::vector<Span>& spans) const override {
     spans.assign(1, {0, static_cast<std::uint32_t>(cloud_.count)});
   }
@@ -43,7 +43,7 @@ double padded_reach(const Cloud& cloud, float reach) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud.dimensions); ++axis) {
     size = std::max({size, std::abs(double{cloud.min[axis]}), std::abs(double{cloud.max[axis]})});
   }
-  return double{reach} * 1.0001 + size * 4e-7;
+  return double{reach} * 1.0001 + size * 1e-6;
 }
 
 bool may_divide(const Cloud& cloud, float reach) {

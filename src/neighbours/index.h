@@ -21,6 +21,7 @@ struct Cloud {
   std::size_t count = 0;
   std::array<const float*, 3> position{};
   const std::uint8_t* hidden = nullptr;  ///< 1: a quarantined boid, which nobody finds
+  bool hides = true;                     ///< false where nobody is hidden
   bool wraps = false;
   std::array<float, 3> min{}, max{};  ///< of the space
 };
@@ -50,13 +51,13 @@ class NeighbourIndex {
   virtual void build(const Cloud& cloud, float reach, const Workers& workers,
                      std::vector<std::uint32_t>& order) = 0;
 
-  /// Spans that hold every boid within the reach of any place in the box from `low` to `high`, which lies
-  /// inside the space. Always in the same order; no boid twice. `spans` is cleared first.
-  virtual void spans(const std::array<float, 3>& low, const std::array<float, 3>& high,
+  /// Spans that hold every boid within `reach`, at most that of `build`, of any place in the box from `low` to
+  /// `high`, which lies inside the space. Always in the same order; no boid twice. `spans` is cleared first.
+  virtual void spans(const std::array<float, 3>& low, const std::array<float, 3>& high, float reach,
                      std::vector<Span>& spans) const = 0;
 
   /// Cuts the order into batches of at most `batch_size` boids that stand near one another, to be asked about
-  /// together. Hidden boids may be left out. `batches` is cleared first.
+  /// together; one follows the other without a gap. Hidden boids may be left out. `batches` is cleared first.
   virtual void batches(std::vector<Span>& batches) const = 0;
 
   /// The cells or leaves that hold boids.

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "base/hash.h"
+#include "neighbours/passes.h"
 
 namespace sturnus {
 namespace {
@@ -18,8 +20,8 @@ Vec<D> at(const std::array<const float*, 3>& columns, std::size_t i) {
   return v;
 }
 
-// Below this squared distance two boids are at one point and feel no direction; it is the least normal float,
-// so that division is safe and denormals play no part.
+// Nearer than this (squared) boids push no harder; it is the least normal float, so that division is safe. At
+// one point their offset is zero, and so is what they feel.
 constexpr float least_distance_squared = std::numeric_limits<float>::min();
 
 // The boid that is steered, with what its filters need again and again.
@@ -54,23 +56,11 @@ bool sampled(const NeighbourRow& row, const Target<D>& target, std::uint64_t nei
          row.sample_below;
 }
 
-// A sum in two steps, see `candidates_in_float`.
-struct RunningSum {
-  std::array<float, 3> part{};
-  std::array<double, 3> whole{};
-  std::uint32_t count = 0;
-
-  void fold() {
-    for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] += double{part[axis]};
-    part = {};
-  }
-};
-
-NeighbourSum rounded(RunningSum& running) {
-  running.fold();
+NeighbourSum rounded(RunningSum sum) {
+  sum.fold();
   NeighbourSum out;
-  out.count = running.count;
-  for (std::size_t axis = 0; axis < 3; ++axis) out.value[axis] = static_cast<float>(running.whole[axis]);
+  out.count = sum.count;
+  for (std::size_t axis = 0; axis < 3; ++axis) out.value[axis] = static_cast<float>(sum.whole[axis]);
   return out;
 }
 
@@ -80,17 +70,16 @@ void add(RunningSum& sum, const std::array<const float*, 3>& columns, int compon
 }
 
 template <int D>
-void add_offset(RunningSum& sum, Strength strength, const Neighbour<D>& neighbour) {
+void add_offset(RunningSum& sum, Strength strength, bool few, const Neighbour<D>& neighbour) {
   float scale = 1;
   if (strength != Strength::grows) {
-    if (neighbour.distance_squared < least_distance_squared) return;
-    scale = 1.0f / (strength == Strength::fades ? neighbour.distance_squared
-                                                : std::sqrt(neighbour.distance_squared));
+    const float squared = std::max(neighbour.distance_squared, least_distance_squared);
+    scale = 1.0f / (strength == Strength::fades ? squared : std::sqrt(squared));
   }
   for (int axis = 0; axis < D; ++axis) {
     const float value = neighbour.offset[axis] * scale;
     const auto i = static_cast<std::size_t>(axis);
-    if (strength == Strength::fades) {
+    if (strength == Strength::fades && !few) {
       sum.whole[i] += double{value};
     } else {
       sum.part[i] += value;
@@ -99,12 +88,12 @@ void add_offset(RunningSum& sum, Strength strength, const Neighbour<D>& neighbou
 }
 
 template <int D>
-void add_contribution(RunningSum& sum, const NeighbourRow& row, const Boids& sources,
+void add_contribution(RunningSum& sum, const NeighbourRow& row, const Boids& sources, bool few,
                       const Neighbour<D>& neighbour) {
   ++sum.count;
   switch (row.quantity) {
     case Quantity::offset:
-      return add_offset(sum, row.strength, neighbour);
+      return add_offset(sum, row.strength, few, neighbour);
     case Quantity::velocity:
       return add(sum, sources.velocity, D, neighbour.slot);
     case Quantity::heading:
@@ -114,32 +103,41 @@ void add_contribution(RunningSum& sum, const NeighbourRow& row, const Boids& sou
   }
 }
 
+// What is walked: the candidates of a batch, for the rows of a flock that belong to the pass.
+struct Walk {
+  const FlockModel& flock;
+  std::uint64_t rows;
+  const Boids& sources;
+  std::span<const Span> spans;
+  const Wrapping& image;
+  bool few;
+};
+
 template <int D>
-void add_neighbour(const FlockModel& flock, const Target<D>& target, const Boids& sources, std::size_t i,
-                   const Wrapping& image, std::span<RunningSum> sums) {
-  Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), image), 0};
+void add_neighbour(const Walk& walk, const Target<D>& target, std::size_t i, std::span<RunningSum> sums) {
+  const Boids& sources = walk.sources;
+  Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), walk.image), 0};
   neighbour.distance_squared = dot(neighbour.offset, neighbour.offset);
-  if (!(neighbour.distance_squared < flock.reach_squared) || sources.id[i] == target.id) return;
-  for (std::size_t r = 0; r < flock.rows.size(); ++r) {
-    const NeighbourRow& row = flock.rows[r];
+  if (!(neighbour.distance_squared < walk.flock.reach_squared) || sources.id[i] == target.id) return;
+  for (std::size_t r = 0; r < walk.flock.rows.size(); ++r) {
+    const NeighbourRow& row = walk.flock.rows[r];
     const bool in_ring =
         row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
-    if (!in_ring || (row.flocks & sources.flock_bit[i]) == 0) continue;
+    if ((walk.rows >> r & 1) == 0 || !in_ring || (row.flocks & sources.flock_bit(i)) == 0) continue;
     if (sees(row, target, neighbour) && sampled(row, target, sources.id[i])) {
-      add_contribution(sums[r], row, sources, neighbour);
+      add_contribution(sums[r], row, sources, walk.few, neighbour);
     }
   }
 }
 
 template <int D>
-void add_neighbours(const FlockModel& flock, const Target<D>& target, const Boids& sources,
-                    std::span<const Span> spans, const Wrapping& image, std::span<RunningSum> sums) {
-  std::uint32_t candidates = 0;
-  for (const Span span : spans) {
-    assert(span.end <= sources.count);
+void add_neighbours(const Walk& walk, const Target<D>& target, std::span<RunningSum> sums) {
+  std::uint32_t seen = 0;
+  for (const Span span : walk.spans) {
+    assert(span.end <= walk.sources.count);
     for (std::size_t i = span.begin; i < span.end; ++i) {
-      add_neighbour<D>(flock, target, sources, i, image, sums);
-      if (++candidates % candidates_in_float == 0) {
+      add_neighbour<D>(walk, target, i, sums);
+      if (++seen % candidates_in_float == 0 && !walk.few) {
         for (RunningSum& sum : sums) sum.fold();
       }
     }
@@ -173,7 +171,7 @@ template <int D>
 NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::size_t self,
                               std::span<const Totals> totals) {
   const Summed summed = summed_by<D>(row, boids);
-  const bool self_counted = (row.flocks & boids.flock_bit[self]) != 0;
+  const bool self_counted = (row.flocks & boids.flock_bit(self)) != 0;
   double count = self_counted ? -1 : 0;
   std::array<double, 3> sum{};
   for (std::size_t flock = 0; flock < totals.size(); ++flock) {
@@ -228,7 +226,7 @@ void population_totals(const Boids& boids, std::size_t flocks, const Workers& wo
     for (std::size_t block = begin; block < end; ++block) {
       const std::size_t last = std::min(boids.count, (block + 1) * block_size);
       for (std::size_t i = block * block_size; i < last; ++i) {
-        if (boids.flock_bit[i] != 0) add_boid<D>(parts[block * flocks + boids.flock[i]], boids, i);
+        if (!boids.is_hidden(i)) add_boid<D>(parts[block * flocks + boids.flock[i]], boids, i);
       }
     }
   });
@@ -250,40 +248,46 @@ Target<D> target_at(const Boids& targets, std::size_t j, const NeighbourQuestion
 
 template <int D>
 void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span<const Span> spans,
-               const NeighbourQuestion& question, std::span<NeighbourSum> sums) {
+               const NeighbourQuestion& question, const SumPass& pass, KernelScratch& scratch,
+               SumBlock& sums) {
   const Model& model = *question.model;
-  std::vector<RunningSum> running(model.most_rows);
+  const bool few = candidates(spans) <= few_candidates<D>;
   for (std::size_t j = batch.begin; j < batch.end; ++j) {
-    if (targets.flock_bit[j] == 0) continue;
-    const FlockModel& flock = model.flocks[targets.flock[j]];
-    std::fill(running.begin(), running.end(), RunningSum{});
-    add_neighbours<D>(flock, target_at<D>(targets, j, question), sources, spans, question.image, running);
-    std::transform(running.begin(), running.end(),
-                   sums.begin() + static_cast<std::ptrdiff_t>(j * model.most_rows), rounded);
+    if ((targets.flock_bit(j) & pass.steered) == 0) continue;
+    const std::size_t f = targets.flock[j];
+    scratch.running.assign(model.most_rows, {});
+    const Walk walk{model.flocks[f], pass.rows[f], sources, spans, question.image, few};
+    add_neighbours<D>(walk, target_at<D>(targets, j, question), scratch.running);
+    for (std::size_t r = 0; r < walk.flock.rows.size(); ++r) {
+      if ((walk.rows >> r & 1) != 0) sums.put(r, j, rounded(scratch.running[r]));
+    }
   }
 }
 
 template <int D>
-void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question,
-                     std::span<NeighbourSum> sums) {
-  const Model& model = *question.model;
+void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question, SumBlock& sums) {
   for (std::size_t j = batch.begin; j < batch.end; ++j) {
-    if (targets.flock_bit[j] == 0) continue;
-    const FlockModel& flock = model.flocks[targets.flock[j]];
+    if (targets.is_hidden(j)) continue;
+    const FlockModel& flock = question.model->flocks[targets.flock[j]];
     for (std::size_t r = 0; r < flock.rows.size(); ++r) {
       if (flock.rows[r].whole_population)
-        sums[j * model.most_rows + r] = whole_population<D>(flock.rows[r], targets, j, question.totals);
+        sums.put(r, j, whole_population<D>(flock.rows[r], targets, j, question.totals));
     }
   }
+}
+
+void SumBlock::spoil() {
+  std::memset(values_.data(), 0xff, values_.size() * sizeof(float));
+  std::memset(counts_.data(), 0xff, counts_.size() * sizeof(std::uint32_t));
 }
 
 template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
 template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
 template void sum_batch<2>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
-                           std::span<NeighbourSum>);
+                           const SumPass&, KernelScratch&, SumBlock&);
 template void sum_batch<3>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
-                           std::span<NeighbourSum>);
-template void add_populations<2>(const Boids&, Span, const NeighbourQuestion&, std::span<NeighbourSum>);
-template void add_populations<3>(const Boids&, Span, const NeighbourQuestion&, std::span<NeighbourSum>);
+                           const SumPass&, KernelScratch&, SumBlock&);
+template void add_populations<2>(const Boids&, Span, const NeighbourQuestion&, SumBlock&);
+template void add_populations<3>(const Boids&, Span, const NeighbourQuestion&, SumBlock&);
 
 }  // namespace sturnus

@@ -17,13 +17,54 @@ struct Boids {
   std::array<const float*, 3> colour{};
   const std::uint64_t* id = nullptr;  ///< global: a boid is its own neighbour by id, not by place
   const std::uint8_t* flock = nullptr;
-  const std::uint64_t* flock_bit = nullptr;  ///< 1 << flock, or 0 for a boid that nobody may see
+  const std::uint8_t* hidden = nullptr;  ///< 1: a boid that nobody may see; null where nobody is hidden
+  std::uint64_t flocks = 0;              ///< a bit for every flock that a boid may belong to
+
+  bool is_hidden(std::size_t i) const { return hidden != nullptr && hidden[i] != 0; }
+  /// 1 << flock, or 0 for a boid that nobody may see.
+  std::uint64_t flock_bit(std::size_t i) const { return is_hidden(i) ? 0 : std::uint64_t{1} << flock[i]; }
 };
 
 /// One row's answer for one boid.
 struct NeighbourSum {
   std::array<float, 3> value{};
   std::uint32_t count = 0;
+};
+
+/// The sums of a stretch of boids, in columns: what the kernels write and the rules read.
+class SumBlock {
+ public:
+  /// Makes room for that many rows of each of the boids [begin, end); what was there is lost. Columns may be
+  /// written up to a batch beyond the last boid.
+  void fit(std::size_t rows, std::size_t begin, std::size_t end) {
+    begin_ = begin;
+    stride_ = end - begin + batch_size;
+    values_.resize(rows * 3 * stride_);
+    counts_.resize(rows * stride_);
+  }
+  /// The columns of a row from the boid's place on.
+  float* value(std::size_t row, std::size_t axis, std::size_t boid) {
+    return values_.data() + (row * 3 + axis) * stride_ + (boid - begin_);
+  }
+  std::uint32_t* count(std::size_t row, std::size_t boid) {
+    return counts_.data() + row * stride_ + (boid - begin_);
+  }
+  void put(std::size_t row, std::size_t boid, const NeighbourSum& sum) {
+    for (std::size_t axis = 0; axis < 3; ++axis) *value(row, axis, boid) = sum.value[axis];
+    *count(row, boid) = sum.count;
+  }
+  NeighbourSum at(std::size_t row, std::size_t boid) const {
+    const std::size_t i = row * 3 * stride_ + (boid - begin_);
+    return {{values_[i], values_[i + stride_], values_[i + 2 * stride_]},
+            counts_[row * stride_ + (boid - begin_)]};
+  }
+  void spoil();
+
+ private:
+  std::size_t begin_ = 0;
+  std::size_t stride_ = 0;
+  std::vector<float> values_;
+  std::vector<std::uint32_t> counts_;
 };
 
 /// Population totals of one flock, in double.
@@ -38,6 +79,9 @@ template <int D>
 void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers,
                        std::vector<Totals>& totals);
 
+class Passes;
+struct SumPass;
+
 /// Everything that one call needs besides the boids.
 struct NeighbourQuestion {
   const Model* model = nullptr;
@@ -45,31 +89,64 @@ struct NeighbourQuestion {
   Wrapping image;
   std::span<const Totals> totals;  ///< of each flock, where a row looks at the whole population
   std::uint64_t step = 0;          ///< for the sampling of neighbours
+  const Passes* passes = nullptr;
 };
 
-/// Contributions to a sum are floats; so many candidates' are added in float, then folded into a double,
-/// which is rounded once. Candidates count whether they turn out to be neighbours or not, so that every
-/// kernel folds at the same places. What fades with distance is added in double at once: a swarm of hundreds
-/// around a boid pushes from all sides, a near one thousands of times as hard as a far one, and what is left
-/// of the push must not be the rounding of the sum.
+/// Contributions to a sum are floats, and where a batch has few candidates so are the sums. With more, so many
+/// candidates' are added in float, then folded into a double, which is rounded once; and what fades with
+/// distance is added in double at once: a swarm of hundreds around a boid pushes from all sides, a near one
+/// thousands of times as hard as a far one, and what is left of the push must not be the rounding of the sum.
+/// Candidates count whether they turn out to be neighbours or not, so that every kernel does the same.
+template <int D>
+inline constexpr std::uint32_t few_candidates = D == 3 ? 512 : 256;  // in 3D fewer of them are near
 inline constexpr std::uint32_t candidates_in_float = 64;
 
+/// A sum in the making.
+struct RunningSum {
+  std::array<float, 3> part{};
+  std::array<double, 3> whole{};
+  std::uint32_t count = 0;
+
+  void fold() {
+    for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] += double{part[axis]};
+    part = {};
+  }
+};
+
+/// How many candidates the spans hold.
+inline std::size_t candidates(std::span<const Span> spans) {
+  std::size_t count = 0;
+  for (const Span span : spans) count += span.end - span.begin;
+  return count;
+}
+
+/// A box that holds boids.
+struct Box {
+  std::array<float, 3> low{}, high{};
+};
+
+/// Working memory of one thread.
+struct KernelScratch {
+  std::vector<Span> spans;
+  std::vector<RunningSum> running;
+};
+
 /// For the targets of each batch: every row of the target's flock, summed over its neighbours among the
-/// sources, into sums[target * most_rows + row]. Targets and sources may be different boids: what comes from
-/// elsewhere is a source only. Neighbours are added in the order of the index's spans for the batch.
+/// sources. Targets and sources may be different boids: what comes from elsewhere is a source only.
+/// Neighbours are added in the order of the index's spans for the batch. `sums` holds all boids of the batches;
+/// those of hidden targets mean nothing.
 template <int D>
 void neighbour_sums(const Boids& targets, std::span<const Span> batches, const Boids& sources,
-                    const NeighbourQuestion& question, std::span<NeighbourSum> sums);
+                    const NeighbourQuestion& question, KernelScratch& scratch, SumBlock& sums);
 
-/// The plain kernel for one batch whose candidates lie in the spans: one boid, one neighbour, one row at a
-/// time.
+/// The plain kernel for one pass of one batch whose candidates lie in the spans: one boid, one neighbour, one
+/// row at a time.
 template <int D>
 void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span<const Span> spans,
-               const NeighbourQuestion& question, std::span<NeighbourSum> sums);
+               const NeighbourQuestion& question, const SumPass& pass, KernelScratch& scratch, SumBlock& sums);
 
 /// The rows of a batch that look at the whole population.
 template <int D>
-void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question,
-                     std::span<NeighbourSum> sums);
+void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question, SumBlock& sums);
 
 }  // namespace sturnus

@@ -3,6 +3,7 @@
 
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "neighbours/wide.h"
@@ -46,33 +47,55 @@ WideAddend addend_of(const NeighbourRow& row) {
   return row.strength == Strength::constant ? WideAddend::constant : WideAddend::grows;
 }
 
-bool filters_alike(const WideFilter& filter, const NeighbourRow& row) {
-  return filter.inner_squared == row.inner_squared && filter.outer_squared == row.outer_squared &&
-         filter.flocks == row.flocks && filter.sees_all == row.sees_all &&
-         (row.sees_all || filter.cos_half_view == row.cos_half_view);
+WideFilter filter_of(const NeighbourRow& row) {
+  return {row.inner_squared, row.outer_squared, row.flocks, row.sees_all,
+          row.sees_all ? -1 : row.cos_half_view};
 }
 
-std::size_t filter_for(const NeighbourRow& row, std::vector<WideFilter>& filters) {
-  for (std::size_t f = 0; f < filters.size(); ++f) {
-    if (filters_alike(filters[f], row)) return f;
-  }
-  filters.push_back({row.inner_squared, row.outer_squared, row.flocks, row.sees_all, row.cos_half_view});
-  return filters.size() - 1;
+// The smallest first: plans count on it.
+bool comes_before(const NeighbourRow& one, const NeighbourRow& other) {
+  return one.outer_squared != other.outer_squared ? one.outer_squared < other.outer_squared
+                                                  : addend_of(one) < addend_of(other);
+}
+
+void add_row(const NeighbourRow& row, std::size_t number, WideProgram& program) {
+  const WideFilter wanted = filter_of(row);
+  std::size_t filter = 0;
+  while (filter < program.filter_count && !(program.filters[filter] == wanted)) ++filter;
+  if (filter == program.filter_count) program.filters[program.filter_count++] = wanted;
+  program.rows[program.row_count++] = {static_cast<std::uint8_t>(filter), addend_of(row),
+                                       static_cast<std::uint8_t>(number)};
 }
 
 }  // namespace
 
-WideProgram wide_program(const FlockModel& flock) {
+std::optional<WideProgram> wide_program(const FlockModel& flock, std::uint64_t rows) {
   WideProgram program;
+  std::array<std::size_t, WideProgram::most> numbers{};
+  std::size_t count = 0;
   for (std::size_t r = 0; r < flock.rows.size(); ++r) {
-    const NeighbourRow& row = flock.rows[r];
-    if (row.whole_population || row.flocks == 0) continue;
-    program.fits &= row.sample_below == 0;
-    const std::size_t filter = filter_for(row, program.filters);
-    program.rows.push_back({static_cast<std::uint8_t>(filter), addend_of(row), static_cast<std::uint8_t>(r)});
+    if ((rows >> r & 1) == 0) continue;
+    if (flock.rows[r].flocks == 0) {
+      program.empty_rows |= std::uint64_t{1} << r;
+      continue;
+    }
+    if (count == WideProgram::most || flock.rows[r].sample_below != 0) return {};
+    const auto end = numbers.begin() + count;
+    const auto place = std::upper_bound(numbers.begin(), end, r, [&flock](std::size_t a, std::size_t b) {
+      return comes_before(flock.rows[a], flock.rows[b]);
+    });
+    std::copy_backward(place, end, end + 1);
+    *place = r;
+    ++count;
   }
-  program.fits &= program.rows.size() <= WideProgram::most;
+  for (std::size_t i = 0; i < count; ++i) add_row(flock.rows[numbers[i]], numbers[i], program);
   return program;
+}
+
+bool same_shape(const WideProgram& one, const WideProgram& other) {
+  return one.filter_count == other.filter_count && one.empty_rows == other.empty_rows &&
+         std::equal(one.rows.begin(), one.rows.begin() + one.row_count, other.rows.begin(),
+                    other.rows.begin() + other.row_count);
 }
 
 bool use_isa(Isa isa) {

@@ -34,7 +34,7 @@ template <int D, class F>
 void visit(const Neighbourhood& among, const Vec<D>& at, float radius, std::vector<Span>& spans, F&& f) {
   std::array<float, 3> place{};
   for (int axis = 0; axis < D; ++axis) place[static_cast<std::size_t>(axis)] = at[axis];
-  among.index->spans(place, place, spans);
+  among.index->spans(place, place, radius, spans);
   for (const Span span : spans) {
     for (std::uint32_t i = span.begin; i < span.end; ++i) {
       Vec<D> other;

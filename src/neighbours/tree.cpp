@@ -20,9 +20,8 @@ class Tree : public NeighbourIndex {
   Tree(std::int64_t leaf_size, std::int64_t depth_limit)
       : leaf_size_(static_cast<std::uint32_t>(leaf_size)), depth_limit_(static_cast<int>(depth_limit)) {}
 
-  void build(const Cloud& cloud, float reach, const Workers&, std::vector<std::uint32_t>& order) override {
+  void build(const Cloud& cloud, float, const Workers&, std::vector<std::uint32_t>& order) override {
     cloud_ = cloud;
-    reach_ = padded_reach(cloud, reach);
     order.resize(cloud.count);
     std::iota(order.begin(), order.end(), 0u);
     const auto seen = std::stable_partition(order.begin(), order.end(),
@@ -32,10 +31,11 @@ class Tree : public NeighbourIndex {
     divide(0, 0, order);
   }
 
-  void spans(const std::array<float, 3>& from, const std::array<float, 3>& to,
+  void spans(const std::array<float, 3>& from, const std::array<float, 3>& to, float reach,
              std::vector<Span>& spans) const override {
     spans.clear();
-    visit(0, from, to, spans);
+    const double far = padded_reach(cloud_, reach);
+    visit(0, from, to, far * far, spans);
   }
 
   void batches(std::vector<Span>& batches) const override {
@@ -134,10 +134,10 @@ class Tree : public NeighbourIndex {
     return sum;
   }
 
-  void visit(std::uint32_t at, const std::array<float, 3>& from, const std::array<float, 3>& to,
+  void visit(std::uint32_t at, const std::array<float, 3>& from, const std::array<float, 3>& to, double reach_squared,
              std::vector<Span>& spans) const {
     const Node& node = nodes_[at];
-    if (node.begin == node.end || distance_squared(node, from, to) > reach_ * reach_) return;
+    if (node.begin == node.end || distance_squared(node, from, to) > reach_squared) return;
     if (node.first_child == 0) {
       if (!spans.empty() && spans.back().end == node.begin) {
         spans.back().end = node.end;
@@ -146,13 +146,12 @@ class Tree : public NeighbourIndex {
       }
       return;
     }
-    for (unsigned child = 0; child < 1u << axes(); ++child) visit(node.first_child + child, from, to, spans);
+    for (unsigned child = 0; child < 1u << axes(); ++child) visit(node.first_child + child, from, to, reach_squared, spans);
   }
 
   std::uint32_t leaf_size_;
   int depth_limit_;
   Cloud cloud_;
-  double reach_ = 0;
   std::vector<Node> nodes_;
   std::vector<Span> leaves_;
 };

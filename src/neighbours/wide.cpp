@@ -3,8 +3,8 @@
 #include "neighbours/wide.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
-#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "neighbours/wide.cpp"
@@ -12,70 +12,18 @@
 
 #include <hwy/highway.h>
 
+#include "neighbours/lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace sturnus {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, batch_size>;
-using Lanes = hn::Vec<Floats>;
-using Lanes_mask = hn::Mask<Floats>;
-constexpr std::size_t width = hn::MaxLanes(Floats());
 
 // What lies in the lanes: the boids that are steered.
 template <int D>
 struct Targets {
   Lanes position[3], velocity[3];
   Lanes speed;
-  Lanes active;  // 0 where a lane steers nobody
-};
-
-// A register of floats as doubles.
-#if HWY_TARGET == HWY_SCALAR
-struct Doubled {
-  double value;
-};
-HWY_INLINE Doubled LoadDoubled(const double* from) {
-  return {*from};
-}
-HWY_INLINE void StoreDoubled(const Doubled& sum, double* to) {
-  *to = sum.value;
-}
-HWY_INLINE void AddDoubled(Doubled& sum, Lanes values) {
-  sum.value += static_cast<double>(hn::GetLane(values));
-}
-#else
-using Doubles = hn::Repartition<double, Floats>;
-using HalfFloats = hn::Half<Floats>;
-struct Doubled {
-  hn::Vec<Doubles> low, high;
-};
-
-HWY_INLINE Doubled LoadDoubled(const double* from) {
-  const Doubles d;
-  return {hn::LoadU(d, from), hn::LoadU(d, from + width / 2)};
-}
-
-HWY_INLINE void StoreDoubled(const Doubled& sum, double* to) {
-  const Doubles d;
-  hn::StoreU(sum.low, d, to);
-  hn::StoreU(sum.high, d, to + width / 2);
-}
-
-HWY_INLINE void AddDoubled(Doubled& sum, Lanes values) {
-  const Doubles d;
-  const HalfFloats half;
-  sum.low = hn::Add(sum.low, hn::PromoteTo(d, hn::LowerHalf(half, values)));
-  sum.high = hn::Add(sum.high, hn::PromoteTo(d, hn::UpperHalf(half, values)));
-}
-#endif
-
-// The sums of one register's lanes: float parts that are folded into doubles.
-template <int D>
-struct Sums {
-  Lanes part[WideProgram::most][3];
-  Lanes count[WideProgram::most];  // of each filter
-  double whole[WideProgram::most][3][width];
+  std::size_t first = 0;  ///< slot in lane 0
 };
 
 // One candidate as all lanes see it.
@@ -106,27 +54,83 @@ HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, std::
   return seen;
 }
 
+// The filters of a batch, lane by lane where flocks stand mixed.
+struct Filters {
+  std::size_t count = 0;
+  bool has_rings = false, has_views = false, asks_flocks = false;
+  HWY_ALIGN float outer[WideProgram::most][width];
+  HWY_ALIGN float inner[WideProgram::most][width];
+  HWY_ALIGN float cosine[WideProgram::most][width];  ///< -infinity: sees all round
+  /// 1 where the lane looks at a flock; the last is for the hidden.
+  HWY_ALIGN float looks[WideProgram::most][65][width];
+};
+
+HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_t f, Filters& filters) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    const std::size_t slot = std::min<std::size_t>(first + lane, batch.targets.end - 1);
+    const WideProgram& program = batch.programs[batch.boids->flock[slot]];
+    const WideFilter& filter = program.filters[f];
+    filters.outer[f][lane] = filter.outer_squared;
+    filters.inner[f][lane] = filter.inner_squared;
+    filters.cosine[f][lane] = filter.sees_all ? -infinity : filter.cos_half_view;
+    filters.has_rings |= filter.inner_squared > 0;
+    filters.has_views |= !filter.sees_all;
+    const bool steered = (batch.boids->flock_bit(slot) & batch.steered) != 0;
+    filters.asks_flocks |=
+        batch.boids->hidden != nullptr || (steered && (batch.boids->flocks & ~filter.flocks) != 0);
+    for (std::uint64_t left = batch.boids->flocks; left != 0; left &= left - 1) {
+      const auto flock = static_cast<std::size_t>(std::countr_zero(left));
+      filters.looks[f][flock][lane] = (filter.flocks >> flock & 1) != 0 ? 1.0f : 0.0f;
+    }
+    filters.looks[f][64][lane] = 0;
+  }
+}
+
+HWY_INLINE void FillFilters(const WideBatch& batch, std::size_t first, Filters& filters) {
+  const auto flock = static_cast<std::size_t>(std::countr_zero(batch.steered));
+  filters.count = batch.programs[flock].filter_count;
+  filters.has_rings = filters.has_views = filters.asks_flocks = false;
+  for (std::size_t f = 0; f < filters.count; ++f) FillFilter(batch, first, f, filters);
+}
+
 template <int D>
-HWY_INLINE Lanes_mask Passes(const WideFilter& filter, const Targets<D>& targets, const Seen<D>& seen) {
+HWY_INLINE Lanes_mask Passes(const Filters& filters, std::size_t f, const Targets<D>& targets,
+                             const Seen<D>& seen, const Boids& boids, std::size_t candidate) {
   const Floats d;
-  auto mask = hn::Lt(seen.distance_squared, hn::Set(d, filter.outer_squared));
-  if (filter.inner_squared > 0)
-    mask = hn::And(mask, hn::Ge(seen.distance_squared, hn::Set(d, filter.inner_squared)));
-  if (!filter.sees_all) {
+  auto mask = hn::Lt(seen.distance_squared, hn::Load(d, filters.outer[f]));
+  if (filters.has_rings) mask = hn::And(mask, hn::Ge(seen.distance_squared, hn::Load(d, filters.inner[f])));
+  if (filters.has_views) {
     Lanes along = hn::Mul(targets.velocity[0], seen.offset[0]);
     for (std::size_t axis = 1; axis < D; ++axis)
       along = hn::Add(along, hn::Mul(targets.velocity[axis], seen.offset[axis]));
-    const Lanes least =
-        hn::Mul(hn::Mul(hn::Set(d, filter.cos_half_view), targets.speed), hn::Sqrt(seen.distance_squared));
-    mask = hn::And(mask, hn::Ge(along, least));
+    const Lanes cosine = hn::Load(d, filters.cosine[f]);
+    const Lanes least = hn::Mul(hn::Mul(cosine, targets.speed), hn::Sqrt(seen.distance_squared));
+    const auto sees_all = hn::Lt(cosine, hn::Set(d, -2.0f));
+    mask = hn::And(mask, hn::Or(hn::Ge(along, least), sees_all));
+  }
+  if (filters.asks_flocks) {
+    const std::size_t flock = boids.is_hidden(candidate) ? 64 : boids.flock[candidate];
+    mask = hn::And(mask, hn::Gt(hn::Load(d, filters.looks[f][flock]), hn::Zero(d)));
   }
   return mask;
 }
 
+// As in the plain kernel: near boids push no harder than at the least distance, coincident ones not at all.
 template <int D>
-HWY_INLINE void Accumulate(Lanes* part, Lanes_mask mask, const Lanes* values) {
-  for (std::size_t axis = 0; axis < D; ++axis)
-    part[axis] = hn::Add(part[axis], hn::IfThenElseZero(mask, values[axis]));
+HWY_INLINE void Push(const Seen<D>& seen, bool fades, Lanes* values) {
+  const Floats d;
+  const Lanes least = hn::Set(d, std::numeric_limits<float>::min());
+  const Lanes squared = hn::Max(seen.distance_squared, least);
+  const Lanes scale = hn::Div(hn::Set(d, 1.0f), fades ? squared : hn::Sqrt(squared));
+  for (std::size_t axis = 0; axis < D; ++axis) values[axis] = hn::Mul(seen.offset[axis], scale);
+}
+
+template <int D>
+HWY_INLINE void AddPush(Lanes* part, Lanes_mask mask, const Seen<D>& seen, bool fades) {
+  Lanes values[3];
+  Push<D>(seen, fades, values);
+  for (std::size_t axis = 0; axis < D; ++axis) part[axis] = AddWhere(mask, part[axis], values[axis]);
 }
 
 template <int D>
@@ -134,34 +138,7 @@ HWY_INLINE void AddColumns(Lanes* part, Lanes_mask mask, const std::array<const 
                            std::size_t candidate) {
   const Floats d;
   for (std::size_t axis = 0; axis < D; ++axis)
-    part[axis] = hn::Add(part[axis], hn::IfThenElseZero(mask, hn::Set(d, columns[axis][candidate])));
-}
-
-// Coincident boids feel no direction: the plain kernel's rule, with its least distance.
-template <int D>
-HWY_INLINE void Push(Lanes_mask mask, const Seen<D>& seen, bool fades, Lanes* values) {
-  const Floats d;
-  const Lanes least = hn::Set(d, std::numeric_limits<float>::min());
-  mask = hn::And(mask, hn::Ge(seen.distance_squared, least));
-  const Lanes scale =
-      hn::Div(hn::Set(d, 1.0f), fades ? seen.distance_squared : hn::Sqrt(seen.distance_squared));
-  for (std::size_t axis = 0; axis < D; ++axis)
-    values[axis] = hn::IfThenElseZero(mask, hn::Mul(seen.offset[axis], scale));
-}
-
-// What fades with distance goes into the doubles at once: see `candidates_in_float`.
-template <int D>
-HWY_INLINE void AddFading(Doubled* whole, Lanes_mask mask, const Seen<D>& seen) {
-  Lanes values[3];
-  Push<D>(mask, seen, true, values);
-  for (std::size_t axis = 0; axis < D; ++axis) AddDoubled(whole[axis], values[axis]);
-}
-
-template <int D>
-HWY_INLINE void AddConstant(Lanes* part, Lanes_mask mask, const Seen<D>& seen) {
-  Lanes values[3];
-  Push<D>(mask, seen, false, values);
-  for (std::size_t axis = 0; axis < D; ++axis) part[axis] = hn::Add(part[axis], values[axis]);
+    part[axis] = AddWhere(mask, part[axis], hn::Set(d, columns[axis][candidate]));
 }
 
 template <int D>
@@ -169,11 +146,13 @@ HWY_INLINE void AddTo(Lanes* part, WideAddend addend, Lanes_mask mask, const See
                       const Boids& boids, std::size_t candidate) {
   switch (addend) {
     case WideAddend::fades:
-      return;  // by AddFading
+      return AddPush<D>(part, mask, seen, true);
     case WideAddend::constant:
-      return AddConstant<D>(part, mask, seen);
+      return AddPush<D>(part, mask, seen, false);
     case WideAddend::grows:
-      return Accumulate<D>(part, mask, seen.offset);
+      for (std::size_t axis = 0; axis < D; ++axis)
+        part[axis] = AddFinite(mask, part[axis], seen.offset[axis]);
+      return;
     case WideAddend::velocity:
       return AddColumns<D>(part, mask, boids.velocity, candidate);
     case WideAddend::heading:
@@ -183,16 +162,34 @@ HWY_INLINE void AddTo(Lanes* part, WideAddend addend, Lanes_mask mask, const See
   }
 }
 
-// A program whose rows are known to the compiler, so that its sums stay in registers: three rows whose
-// filters have no inner radius, see all round and look at everybody. `filter_of` row by row.
-template <WideAddend first, WideAddend second, WideAddend third, int filter_count>
+// With many candidates, what fades with distance goes into the doubles at once: see `few_candidates`.
+template <int D>
+HWY_INLINE void AddFading(Doubled* whole, Lanes_mask mask, const Seen<D>& seen) {
+  Lanes values[3];
+  Push<D>(seen, true, values);
+  for (std::size_t axis = 0; axis < D; ++axis) AddDoubled(whole[axis], hn::IfThenElseZero(mask, values[axis]));
+}
+
+// The sums of one register's lanes, by row and filter of the program.
+struct Sums {
+  Lanes part[WideProgram::most][3];
+  Counts count[WideProgram::most];
+  Doubled whole[WideProgram::most][3];
+};
+
+// A program whose rows are known to the compiler, so that its sums stay in registers; row r belongs to filter
+// min(r, filters - 1).
+template <int filter_count, bool with_options, WideAddend... list>
 struct Plan {
-  static constexpr WideAddend addends[3] = {first, second, third};
+  static constexpr WideAddend addends[] = {list...};
+  static constexpr int rows = sizeof...(list);
   static constexpr int filters = filter_count;
+  static constexpr bool has_options = with_options;
   static constexpr int filter_of(int row) { return row < filters ? row : filters - 1; }
 };
 
-template <int D, bool with_self>
+// Whoever is his own candidate is left out.
+template <bool with_self>
 HWY_INLINE Lanes_mask NotSelf(Lanes_mask mask, std::size_t candidate, std::size_t first) {
   if (!with_self) return mask;
   const Floats d;
@@ -200,188 +197,160 @@ HWY_INLINE Lanes_mask NotSelf(Lanes_mask mask, std::size_t candidate, std::size_
   return hn::And(mask, hn::Ne(hn::Iota(d, 0.0f), hn::Set(d, own)));
 }
 
+// What one walk of a plan needs.
+template <int D, class ThePlan>
+struct Walk {
+  const WideBatch& batch;
+  const Boids boids;
+  const Targets<D> targets;
+  const Filters& filters;
+  Lanes outer[ThePlan::filters];
+};
+
 // One filter of a plan, written out for each: a loop here would keep its arrays in memory.
 template <int D, bool with_self, class ThePlan, int f>
-HWY_INLINE void Pass(const Seen<D>& seen, const Lanes* outer, std::size_t candidate, std::size_t first,
-                     Lanes_mask* masks, Lanes* count) {
+HWY_INLINE void Pass(const Walk<D, ThePlan>& walk, const Seen<D>& seen, std::size_t candidate,
+                     Lanes_mask* masks, Counts* count) {
   if constexpr (f < ThePlan::filters) {
-    const Floats d;
-    masks[f] = NotSelf<D, with_self>(hn::Lt(seen.distance_squared, outer[f]), candidate, first);
-    count[f] = hn::Add(count[f], hn::IfThenElseZero(masks[f], hn::Set(d, 1.0f)));
+    if constexpr (ThePlan::has_options) {
+      masks[f] = Passes<D>(walk.filters, f, walk.targets, seen, walk.boids, candidate);
+    } else {
+      masks[f] = hn::Lt(seen.distance_squared, walk.outer[f]);
+    }
+    masks[f] = NotSelf<with_self>(masks[f], candidate, walk.targets.first);
+    count[f] = CountWhere(masks[f], count[f]);
   }
 }
 
 template <int D, class ThePlan, int r>
-HWY_INLINE void AddRow(const Seen<D>& seen, const Lanes_mask* masks, const Boids& boids,
-                       std::size_t candidate, Lanes* part, Doubled* whole) {
-  const Lanes_mask mask = masks[ThePlan::filter_of(r)];
-  if constexpr (ThePlan::addends[r] == WideAddend::fades) {
-    AddFading<D>(whole, mask, seen);
-  } else {
-    AddTo<D>(part, ThePlan::addends[r], mask, seen, boids, candidate);
+HWY_INLINE void AddRow(const Walk<D, ThePlan>& walk, const Seen<D>& seen, const Lanes_mask* masks,
+                       std::size_t candidate, bool few, Sums& sums) {
+  if constexpr (r < ThePlan::rows) {
+    const Lanes_mask mask = masks[ThePlan::filter_of(r)];
+    if (ThePlan::addends[r] == WideAddend::fades && !few) {
+      AddFading<D>(sums.whole[r], mask, seen);
+    } else {
+      AddTo<D>(sums.part[r], ThePlan::addends[r], mask, seen, walk.boids, candidate);
+    }
   }
 }
 
-// Candidates [begin, end). `first` is the slot in lane 0 where the targets themselves are among them, so that
-// nobody is his own neighbour.
-template <int D, bool wraps, bool with_self, class ThePlan>
-HWY_INLINE void WalkPlan(const WideBatch& batch, const Targets<D>& targets, std::size_t begin,
-                         std::size_t end, std::size_t first, Sums<D>& sums) {
-  const Floats d;
-  const Boids boids = *batch.boids;
-  Lanes outer[ThePlan::filters], count[ThePlan::filters], part[3][D];
-  for (int f = 0; f < ThePlan::filters; ++f) {
-    outer[f] = hn::Set(d, batch.program->filters[static_cast<std::size_t>(f)].outer_squared);
-    count[f] = sums.count[f];
-  }
-  Doubled whole[3][D];
-  for (int r = 0; r < 3; ++r) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      part[r][axis] = sums.part[r][axis];
-      whole[r][axis] = LoadDoubled(sums.whole[r][axis]);
-    }
-  }
+template <int D, bool wraps, bool few, bool with_self, class ThePlan>
+HWY_INLINE void WalkRange(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end, Sums& sums) {
   for (std::size_t candidate = begin; candidate < end; ++candidate) {
-    const Seen<D> seen = Look<D, wraps>(targets, batch, candidate);
+    const Seen<D> seen = Look<D, wraps>(walk.targets, walk.batch, candidate);
     Lanes_mask masks[ThePlan::filters];
-    Pass<D, with_self, ThePlan, 0>(seen, outer, candidate, first, masks, count);
-    Pass<D, with_self, ThePlan, 1>(seen, outer, candidate, first, masks, count);
-    Pass<D, with_self, ThePlan, 2>(seen, outer, candidate, first, masks, count);
-    AddRow<D, ThePlan, 0>(seen, masks, boids, candidate, part[0], whole[0]);
-    AddRow<D, ThePlan, 1>(seen, masks, boids, candidate, part[1], whole[1]);
-    AddRow<D, ThePlan, 2>(seen, masks, boids, candidate, part[2], whole[2]);
-  }
-  for (int f = 0; f < ThePlan::filters; ++f) sums.count[f] = count[f];
-  for (int r = 0; r < 3; ++r) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      sums.part[r][axis] = part[r][axis];
-      if (ThePlan::addends[r] == WideAddend::fades) StoreDoubled(whole[r][axis], sums.whole[r][axis]);
-    }
+    Pass<D, with_self, ThePlan, 0>(walk, seen, candidate, masks, sums.count);
+    Pass<D, with_self, ThePlan, 1>(walk, seen, candidate, masks, sums.count);
+    Pass<D, with_self, ThePlan, 2>(walk, seen, candidate, masks, sums.count);
+    AddRow<D, ThePlan, 0>(walk, seen, masks, candidate, few, sums);
+    AddRow<D, ThePlan, 1>(walk, seen, masks, candidate, few, sums);
+    AddRow<D, ThePlan, 2>(walk, seen, masks, candidate, few, sums);
   }
 }
 
-// The same for any program.
-struct AnyPlan {};
+// Candidates [begin, end), among whom may be the targets themselves.
+template <int D, bool wraps, bool few, class ThePlan>
+HWY_INLINE void WalkSpan(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end, Sums& sums) {
+  const std::size_t self = std::clamp(walk.targets.first, begin, end);
+  const std::size_t others = std::clamp(walk.targets.first + width, begin, end);
+  WalkRange<D, wraps, few, false, ThePlan>(walk, begin, self, sums);
+  WalkRange<D, wraps, few, true, ThePlan>(walk, self, others, sums);
+  WalkRange<D, wraps, few, false, ThePlan>(walk, others, end, sums);
+}
 
-template <int D, bool wraps, bool with_self>
-HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, std::size_t begin, std::size_t end,
-                        std::size_t first, Sums<D>& sums) {
+template <class ThePlan>
+HWY_INLINE void Fold(Sums& sums) {
   const Floats d;
-  const WideProgram& program = *batch.program;
-  const Lanes one = hn::Set(d, 1.0f);
-  for (std::size_t candidate = begin; candidate < end; ++candidate) {
-    const Seen<D> seen = Look<D, wraps>(targets, batch, candidate);
-    Lanes_mask masks[WideProgram::most];
-    for (std::size_t f = 0; f < program.filters.size(); ++f) {
-      const WideFilter& filter = program.filters[f];
-      masks[f] = Passes<D>(filter, targets, seen);
-      if (batch.checked == 0 || (batch.checked & ~filter.flocks) != 0) {
-        const bool is_looked_at = (batch.boids->flock_bit[candidate] & filter.flocks) != 0;
-        masks[f] = hn::And(masks[f], hn::Gt(hn::Set(d, is_looked_at ? 1.0f : 0.0f), hn::Zero(d)));
-      }
-      masks[f] = NotSelf<D, with_self>(masks[f], candidate, first);
-      sums.count[f] = hn::Add(sums.count[f], hn::IfThenElseZero(masks[f], one));
-    }
-    for (std::size_t r = 0; r < program.rows.size(); ++r) {
-      const WideRow& row = program.rows[r];
-      if (row.addend == WideAddend::fades) {
-        Doubled whole[D];
-        for (std::size_t axis = 0; axis < D; ++axis) whole[axis] = LoadDoubled(sums.whole[r][axis]);
-        AddFading<D>(whole, masks[row.filter], seen);
-        for (std::size_t axis = 0; axis < D; ++axis) StoreDoubled(whole[axis], sums.whole[r][axis]);
-      } else {
-        AddTo<D>(sums.part[r], row.addend, masks[row.filter], seen, *batch.boids, candidate);
-      }
-    }
-  }
-}
-
-template <int D, bool wraps, bool with_self, class ThePlan>
-HWY_INLINE void Walk(const WideBatch& batch, const Targets<D>& targets, std::size_t begin, std::size_t end,
-                     std::size_t first, Sums<D>& sums) {
-  if constexpr (std::is_same_v<ThePlan, AnyPlan>) {
-    WalkAny<D, wraps, with_self>(batch, targets, begin, end, first, sums);
-  } else {
-    WalkPlan<D, wraps, with_self, ThePlan>(batch, targets, begin, end, first, sums);
-  }
-}
-
-template <int D>
-HWY_INLINE void Fold(std::size_t rows, Sums<D>& sums) {
-  const Floats d;
-  HWY_ALIGN float part[width];
-  for (std::size_t r = 0; r < rows; ++r) {
+  for (int r = 0; r < ThePlan::rows; ++r) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      hn::Store(sums.part[r][axis], d, part);
-      for (std::size_t i = 0; i < width; ++i) sums.whole[r][axis][i] += static_cast<double>(part[i]);
+      AddDoubled(sums.whole[r][axis], sums.part[r][axis]);
       sums.part[r][axis] = hn::Zero(d);
     }
   }
 }
 
-// All candidates in their order, cut where sums are folded and where the targets themselves stand.
 template <int D, bool wraps, class ThePlan>
-HWY_INLINE void WalkAll(const WideBatch& batch, const Targets<D>& targets, std::size_t first, Sums<D>& sums) {
-  std::uint32_t left = candidates_in_float;
-  const std::size_t rows = batch.program->rows.size();
-  for (const Span span : batch.spans) {
+HWY_INLINE void WalkFew(const Walk<D, ThePlan>& walk, Sums& sums) {
+  for (const Span span : walk.batch.spans) WalkSpan<D, wraps, true, ThePlan>(walk, span.begin, span.end, sums);
+}
+
+template <int D, bool wraps, class ThePlan>
+HWY_INLINE void WalkMany(const Walk<D, ThePlan>& walk, Sums& sums) {
+  std::size_t left = candidates_in_float;
+  for (const Span span : walk.batch.spans) {
     for (std::size_t at = span.begin; at < span.end;) {
-      const bool is_self = at >= first && at < first + width;
-      std::size_t end = std::min<std::size_t>(span.end, at + left);
-      if (at < first) end = std::min(end, first);
-      if (is_self) end = std::min(end, first + width);
-      if (is_self) {
-        Walk<D, wraps, true, ThePlan>(batch, targets, at, end, first, sums);
-      } else {
-        Walk<D, wraps, false, ThePlan>(batch, targets, at, end, first, sums);
-      }
-      left -= static_cast<std::uint32_t>(end - at);
+      const std::size_t end = std::min<std::size_t>(span.end, at + left);
+      WalkSpan<D, wraps, false, ThePlan>(walk, at, end, sums);
+      left -= end - at;
       at = end;
-      if (left == 0) {
-        Fold<D>(rows, sums);
-        left = candidates_in_float;
-      }
+      if (left != 0) continue;
+      Fold<ThePlan>(sums);
+      left = candidates_in_float;
     }
   }
-  Fold<D>(rows, sums);
+  Fold<ThePlan>(sums);
 }
 
 template <int D>
 HWY_INLINE Targets<D> Load(const WideBatch& batch, std::size_t first) {
-  const Floats d;
   Targets<D> targets;
-  HWY_ALIGN float values[width];
+  targets.first = first;
   const std::size_t count = std::min<std::size_t>(width, batch.targets.end - first);
-  const auto load = [&](const float* column) HWY_ATTR {
-    for (std::size_t i = 0; i < width; ++i) values[i] = column[first + std::min(i, count - 1)];
-    return hn::Load(d, values);
-  };
   for (std::size_t axis = 0; axis < D; ++axis) {
-    targets.position[axis] = load(batch.boids->position[axis]);
-    targets.velocity[axis] = load(batch.boids->velocity[axis]);
+    targets.position[axis] = LoadSome(batch.boids->position[axis] + first, count);
+    targets.velocity[axis] = LoadSome(batch.boids->velocity[axis] + first, count);
   }
-  Lanes squared = hn::Mul(targets.velocity[0], targets.velocity[0]);
-  for (std::size_t axis = 1; axis < D; ++axis)
-    squared = hn::Add(squared, hn::Mul(targets.velocity[axis], targets.velocity[axis]));
-  targets.speed = hn::Sqrt(squared);
+  targets.speed = hn::Sqrt(Squared<D>(targets.velocity));
   return targets;
 }
 
-template <int D>
-HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const Sums<D>& sums) {
+// Which lanes hold boids that are steered here.
+HWY_INLINE Lanes_mask Steered(const WideBatch& batch, std::size_t first) {
   const Floats d;
-  HWY_ALIGN float counts[WideProgram::most][width];
-  for (std::size_t f = 0; f < batch.program->filters.size(); ++f) hn::Store(sums.count[f], d, counts[f]);
   const std::size_t count = std::min<std::size_t>(width, batch.targets.end - first);
+  if (!batch.is_mixed) return hn::FirstN(d, count);
+  HWY_ALIGN float is_steered[width] = {};
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t slot = first + i;
-    if (batch.boids->flock[slot] != batch.flock || batch.boids->flock_bit[slot] == 0) continue;
-    NeighbourSum* own = batch.sums + slot * batch.most_rows;
-    for (std::size_t r = 0; r < batch.program->rows.size(); ++r) {
-      const WideRow& row = batch.program->rows[r];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        own[row.row].value[axis] = static_cast<float>(sums.whole[r][axis][i]);
-      own[row.row].count = static_cast<std::uint32_t>(counts[row.filter][i]);
+    is_steered[i] = (batch.boids->flock_bit(first + i) & batch.steered) != 0 ? 1.0f : 0.0f;
+  }
+  return hn::Gt(hn::Load(d, is_steered), hn::Zero(d));
+}
+
+HWY_INLINE void StoreRow(const WideBatch& batch, std::size_t first, std::size_t row, Lanes_mask steered,
+                         const Lanes* values, Counts count) {
+  const Floats d;
+  const hn::RebindToSigned<Floats> di;
+  auto* to = reinterpret_cast<std::int32_t*>(batch.sums->count(row, first));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    hn::BlendedStore(values[axis], steered, d, batch.sums->value(row, axis, first));
+  hn::BlendedStore(count, hn::RebindMask(di, steered), di, to);
+}
+
+HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const WideProgram& program,
+                          const Sums& sums) {
+  const Floats d;
+  const Lanes_mask steered = Steered(batch, first);
+  for (std::size_t r = 0; r < program.row_count; ++r) {
+    Lanes values[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      values[axis] = batch.few ? sums.part[r][axis] : Rounded(sums.whole[r][axis]);
+    const WideRow row = program.rows[r];
+    StoreRow(batch, first, row.row, steered, values, sums.count[row.filter]);
+  }
+  const Lanes nothing[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  for (std::uint64_t left = program.empty_rows; left != 0; left &= left - 1)
+    StoreRow(batch, first, static_cast<std::size_t>(std::countr_zero(left)), steered, nothing,
+             hn::Zero(hn::RebindToSigned<Floats>()));
+}
+
+HWY_INLINE void Clear(std::size_t rows, Sums& sums) {
+  const Floats d;
+  for (std::size_t r = 0; r < rows; ++r) {
+    sums.count[r] = hn::Zero(hn::RebindToSigned<Floats>());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      sums.part[r][axis] = hn::Zero(d);
+      sums.whole[r][axis] = ZeroDoubled();
     }
   }
 }
@@ -389,60 +358,107 @@ HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const Sums<
 template <int D, class ThePlan>
 HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   const Floats d;
+  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
-    const Targets<D> targets = Load<D>(batch, first);
-    Sums<D> sums;
-    for (std::size_t r = 0; r < batch.program->rows.size(); ++r) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        sums.part[r][axis] = hn::Zero(d);
-        for (std::size_t i = 0; i < width; ++i) sums.whole[r][axis][i] = 0;
-      }
-    }
-    for (std::size_t f = 0; f < batch.program->filters.size(); ++f) sums.count[f] = hn::Zero(d);
+    Filters filters;
+    if constexpr (ThePlan::has_options) FillFilters(batch, first, filters);
+    Walk<D, ThePlan> walk{batch, *batch.boids, Load<D>(batch, first), filters, {}};
+    for (std::size_t f = 0; f < ThePlan::filters; ++f)
+      walk.outer[f] = hn::Set(d, program.filters[f].outer_squared);
+    Sums sums;
+    Clear(ThePlan::rows, sums);
     if (batch.image.wraps) {
-      WalkAll<D, true, ThePlan>(batch, targets, first, sums);
+      batch.few ? WalkFew<D, true, ThePlan>(walk, sums) : WalkMany<D, true, ThePlan>(walk, sums);
     } else {
-      WalkAll<D, false, ThePlan>(batch, targets, first, sums);
+      batch.few ? WalkFew<D, false, ThePlan>(walk, sums) : WalkMany<D, false, ThePlan>(walk, sums);
     }
-    StoreSums<D>(batch, first, sums);
+    StoreSums(batch, first, program, sums);
+  }
+}
+
+// Any program, row by row: slower, since the sums pass through memory for each candidate.
+template <int D, bool wraps>
+HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const Filters& filters, Sums& sums) {
+  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  std::size_t seen_so_far = 0;
+  for (const Span span : batch.spans) {
+    for (std::size_t candidate = span.begin; candidate < span.end; ++candidate) {
+      const Seen<D> seen = Look<D, wraps>(targets, batch, candidate);
+      Lanes_mask masks[WideProgram::most];
+      for (std::size_t f = 0; f < program.filter_count; ++f) {
+        masks[f] = Passes<D>(filters, f, targets, seen, *batch.boids, candidate);
+        if (candidate - targets.first < width) masks[f] = NotSelf<true>(masks[f], candidate, targets.first);
+        sums.count[f] = CountWhere(masks[f], sums.count[f]);
+      }
+      for (std::size_t r = 0; r < program.row_count; ++r) {
+        const WideRow row = program.rows[r];
+        if (row.addend == WideAddend::fades && !batch.few) {
+          AddFading<D>(sums.whole[r], masks[row.filter], seen);
+        } else {
+          AddTo<D>(sums.part[r], row.addend, masks[row.filter], seen, *batch.boids, candidate);
+        }
+      }
+      if (!batch.few && ++seen_so_far % candidates_in_float == 0)
+        Fold<Plan<1, true, WideAddend::grows>>(sums);
+    }
+  }
+}
+
+template <int D>
+HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
+  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
+    Filters filters;
+    FillFilters(batch, first, filters);
+    const Targets<D> targets = Load<D>(batch, first);
+    Sums sums;
+    Clear(WideProgram::most, sums);
+    if (batch.image.wraps) {
+      WalkAny<D, true>(batch, targets, filters, sums);
+    } else {
+      WalkAny<D, false>(batch, targets, filters, sums);
+    }
+    StoreSums(batch, first, program, sums);
   }
 }
 
 // Whether a program is what a plan says.
 template <class ThePlan>
 bool Fits(const WideProgram& program) {
-  if (program.rows.size() != 3 || program.filters.size() != static_cast<std::size_t>(ThePlan::filters))
-    return false;
-  for (int r = 0; r < 3; ++r) {
+  if (program.row_count != ThePlan::rows || program.filter_count != ThePlan::filters) return false;
+  for (int r = 0; r < ThePlan::rows; ++r) {
     const WideRow& row = program.rows[static_cast<std::size_t>(r)];
     if (row.addend != ThePlan::addends[r] || row.filter != ThePlan::filter_of(r)) return false;
   }
   return true;
 }
 
-bool AreSimple(const WideBatch& batch) {
-  for (const WideFilter& filter : batch.program->filters) {
-    if (filter.inner_squared > 0 || !filter.sees_all) return false;
-    if (batch.checked == 0 || (batch.checked & ~filter.flocks) != 0) return false;
+bool HasOptions(const WideBatch& batch, const WideProgram& program) {
+  if (batch.is_mixed || batch.boids->hidden != nullptr) return true;
+  for (std::size_t f = 0; f < program.filter_count; ++f) {
+    const WideFilter& filter = program.filters[f];
+    if (filter.inner_squared > 0 || !filter.sees_all) return true;
+    if ((batch.boids->flocks & ~filter.flocks) != 0) return true;
   }
-  return true;
+  return false;
+}
+
+template <int D, class... Plans>
+bool SumByOneOf(const WideBatch& batch, const WideProgram& program) {
+  return ((Fits<Plans>(program) && (SumBatchBy<D, Plans>(batch), true)) || ...);
 }
 
 template <int D>
 void SumBatch(const WideBatch& batch) {
   using enum WideAddend;
-  const WideProgram& program = *batch.program;
-  if (AreSimple(batch)) {
-    if (Fits<Plan<fades, velocity, grows, 2>>(program))
-      return SumBatchBy<D, Plan<fades, velocity, grows, 2>>(batch);
-    if (Fits<Plan<fades, velocity, grows, 3>>(program))
-      return SumBatchBy<D, Plan<fades, velocity, grows, 3>>(batch);
-    if (Fits<Plan<fades, velocity, grows, 1>>(program))
-      return SumBatchBy<D, Plan<fades, velocity, grows, 1>>(batch);
-    if (Fits<Plan<grows, velocity, grows, 2>>(program))
-      return SumBatchBy<D, Plan<grows, velocity, grows, 2>>(batch);
-  }
-  SumBatchBy<D, AnyPlan>(batch);
+  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  const bool done =
+      HasOptions(batch, program)
+          ? SumByOneOf<D, Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
+                       Plan<3, true, fades, heading, fades>>(batch, program)
+          : SumByOneOf<D, Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
+                       Plan<2, false, grows, velocity, grows>>(batch, program);
+  if (!done) SumBatchAny<D>(batch);
 }
 
 void SumBatch2(const WideBatch& batch) {
@@ -450,6 +466,32 @@ void SumBatch2(const WideBatch& batch) {
 }
 void SumBatch3(const WideBatch& batch) {
   SumBatch<3>(batch);
+}
+
+template <int D>
+Box BoxOf(const Boids& boids, Span batch) {
+  const Floats d;
+  Box box;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const float* column = boids.position[axis];
+    Lanes low = hn::Set(d, column[batch.begin]);
+    Lanes high = low;
+    for (std::size_t first = batch.begin; first < batch.end; first += width) {
+      const Lanes at = LoadSome(column + first, std::min<std::size_t>(width, batch.end - first));
+      low = hn::Min(low, at);
+      high = hn::Max(high, at);
+    }
+    box.low[axis] = hn::GetLane(hn::MinOfLanes(d, low));
+    box.high[axis] = hn::GetLane(hn::MaxOfLanes(d, high));
+  }
+  return box;
+}
+
+Box BoxOf2(const Boids& boids, Span batch) {
+  return BoxOf<2>(boids, batch);
+}
+Box BoxOf3(const Boids& boids, Span batch) {
+  return BoxOf<3>(boids, batch);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -461,6 +503,8 @@ namespace sturnus {
 
 HWY_EXPORT(SumBatch2);
 HWY_EXPORT(SumBatch3);
+HWY_EXPORT(BoxOf2);
+HWY_EXPORT(BoxOf3);
 
 template <>
 void wide_sums<2>(const WideBatch& batch) {
@@ -469,6 +513,14 @@ void wide_sums<2>(const WideBatch& batch) {
 template <>
 void wide_sums<3>(const WideBatch& batch) {
   HWY_DYNAMIC_DISPATCH(SumBatch3)(batch);
+}
+template <>
+Box wide_box<2>(const Boids& boids, Span batch) {
+  return HWY_DYNAMIC_DISPATCH(BoxOf2)(boids, batch);
+}
+template <>
+Box wide_box<3>(const Boids& boids, Span batch) {
+  return HWY_DYNAMIC_DISPATCH(BoxOf3)(boids, batch);
 }
 
 }  // namespace sturnus

@@ -4,9 +4,10 @@
 // It gives the same bits as the plain kernel in kernel.cpp, on every instruction set.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "neighbours/kernel.h"
 
@@ -19,42 +20,55 @@ struct WideFilter {
   std::uint64_t flocks = 0;
   bool sees_all = true;
   float cos_half_view = -1;
+  friend bool operator==(const WideFilter&, const WideFilter&) = default;
 };
 
 /// What a neighbour adds to a row's sum.
-enum class WideAddend : std::uint8_t { fades, constant, grows, velocity, heading, colour };
+enum class WideAddend : std::uint8_t { fades, constant, heading, velocity, grows, colour };
 
 struct WideRow {
   std::uint8_t filter = 0;
   WideAddend addend = WideAddend::grows;
   std::uint8_t row = 0;  ///< of the flock
+  friend bool operator==(const WideRow&, const WideRow&) = default;
 };
 
-/// The finite rows of one flock as the wide kernel takes them.
+/// Some finite rows of one flock as the wide kernel takes them, the smallest filter first.
 struct WideProgram {
   static constexpr std::size_t most = 8;
-  std::vector<WideFilter> filters;
-  std::vector<WideRow> rows;
-  bool fits = true;  ///< false where the plain kernel has to do it: sampling, or very many rows
+  std::array<WideFilter, most> filters{};
+  std::array<WideRow, most> rows{};
+  std::size_t filter_count = 0;
+  std::size_t row_count = 0;
+  std::uint64_t empty_rows = 0;  ///< a bit for every row that is nobody's sum
 };
 
-WideProgram wide_program(const FlockModel& flock);
+/// The program for those rows of a flock, given as bits; nothing where the plain kernel has to do it: with
+/// sampling, or very many rows.
+std::optional<WideProgram> wide_program(const FlockModel& flock, std::uint64_t rows);
+
+/// Whether two programs differ in numbers only, so that their boids can stand in lanes side by side.
+bool same_shape(const WideProgram& one, const WideProgram& other);
 
 /// One batch: targets and sources are the same boids, in the same arrays.
 struct WideBatch {
   const Boids* boids = nullptr;
   Span targets{};
   std::span<const Span> spans;  ///< of candidates
+  bool few = false;             ///< see `few_candidates`
   Wrapping image;               ///< `wraps` only where some candidate may be near over the seam
-  std::uint64_t checked = 0;    ///< flocks that boids here may belong to; 0: some boid is hidden
-  std::size_t flock = 0;        ///< steers the targets of this flock only
-  const WideProgram* program = nullptr;
-  std::size_t most_rows = 0;
-  NeighbourSum* sums = nullptr;  ///< of all boids, most_rows each
+  const WideProgram* programs = nullptr;  ///< of each flock
+  std::uint64_t steered = 0;              ///< the flocks whose boids get sums; their programs have one shape
+  bool is_mixed = false;                  ///< the batch also holds boids of others, or of several
+  SumBlock* sums = nullptr;
 };
 
-/// Sums of the batch's targets of one flock.
+/// Sums of the batch's targets that belong to the steered flocks.
 template <int D>
 void wide_sums(const WideBatch& batch);
+
+/// The box of a batch's targets, the hidden included.
+template <int D>
+Box wide_box(const Boids& boids, Span batch);
 
 }  // namespace sturnus

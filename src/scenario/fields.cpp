@@ -315,12 +315,12 @@ void visit_index(Index& index, FieldVisitor& visitor) {
   visitor.field(
       "kind", choice(index.kind, {"grid", "tree", "all-pairs"}),
       {"", "how neighbours are found; all find the same", 0, 0, false, "", "quadtree project (S3-12)"});
-  visitor.field("path", choice(index.path, {"auto", "sparse", "dense"}),
-                {"", "how neighbours are summed: one by one, or those well inside a radius together"});
   visitor.field(
       "leaf_size", &index.leaf_size,
       {"boids", "tree: a node with more boids is divided", 1, 1e6, false, "", "quadtree project (S3-12)"});
   visitor.field("depth_limit", &index.depth_limit, {"", "tree: but never deeper than this", 0, 40});
+  visitor.field("path", choice(index.path, {"auto", "sparse", "dense"}),
+                {"", "how neighbours are summed: one by one, or those well inside a radius together"});
 }
 
 void visit_pointer(Pointer& pointer, FieldVisitor& visitor) {

@@ -23,16 +23,21 @@ void fit(Columns& columns, int axes, std::size_t size) {
 
 void poison(Scratch& scratch) {
   scratch.index.reset();
+  scratch.is_indexed = false;
   spoil(scratch.order);
   spoil(scratch.spare.ids);
   spoil(scratch.spare.bytes);
   spoil(scratch.spare.floats);
-  spoil(scratch.flock_bit);
   spoil(scratch.totals);
   spoil(scratch.batches);
-  spoil(scratch.sums);
+  spoil(scratch.weights);
+  for (PartScratch& part : scratch.parts) {
+    spoil(part.kernel.spans);
+    spoil(part.fallen);
+    part.sums.spoil();
+  }
   for (Columns& columns : scratch.custom) spoil(columns);
-  for (Columns* columns : {&scratch.heading, &scratch.acceleration, &scratch.next_colour,
+  for (Columns* columns : {&scratch.heading, &scratch.next_colour,
                            &scratch.previous_position, &scratch.previous_velocity}) {
     spoil(*columns);
   }

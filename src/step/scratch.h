@@ -5,23 +5,34 @@
 #include <sturnus/simulation.h>
 
 #include "neighbours/kernel.h"
+#include "neighbours/passes.h"
 #include "world/state.h"
 
 namespace sturnus {
 
+/// Of one part of the work.
+struct PartScratch {
+  KernelScratch kernel;
+  SumBlock sums;
+  std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
+};
+
 struct Scratch {
   std::unique_ptr<NeighbourIndex> index;
+  Index indexed_as;                  ///< what `index` is
+  bool is_indexed = false;           ///< false where nobody has a finite reach
   std::vector<std::uint32_t> order;  ///< where each boid stood before the index sorted them
   Spare spare;
-  std::vector<std::uint64_t> flock_bit;  ///< 1 << flock, 0 for the quarantined
   Columns heading;
   std::vector<Totals> totals;
-  std::vector<Span> batches;  ///< of boids that are steered at once
-  std::vector<NeighbourSum> sums;
-  Columns acceleration;  ///< with the boundary's turn, before the time step
+  Passes passes;
+  std::vector<Span> batches;           ///< of boids that are steered at once
+  std::vector<std::uint64_t> weights;  ///< of blocks of batches, added up
+  std::vector<PartScratch> parts;
   Columns next_colour;
-  std::vector<Columns> custom;                   ///< what each user rule asks for
-  Columns previous_position, previous_velocity;  ///< before the last step, for observers
+  std::vector<Columns> custom;  ///< what each user rule asks for; empty: nothing
+  /// Before the last step, for observers; during a step, where boids go.
+  Columns previous_position, previous_velocity;
 };
 
 /// What acts on a step besides the model: rules of the user's own, accelerations from outside;

@@ -228,7 +228,7 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   }
   if (!problems.empty()) return problems;
   wrap_positions(world->model, world->state);
-  quarantine(world->model, world->state);
+  quarantine(world->model, world->state, world->workers);
   world->do_events();
   return Simulation(std::move(world));
 }

@@ -11,7 +11,7 @@ void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch
           const Outside& outside, const Workers& workers);
 
 /// Puts boids with values that are not finite or beyond 1e15 out of play: at rest, where they last were well.
-void quarantine(const Model& model, State& state);
+void quarantine(const Model& model, State& state, const Workers& workers);
 /// The places of the boids, as an index needs them. Hidden are those in quarantine.
 Cloud cloud_of(const Model& model, const State& state);
 /// How the model's space wraps.
@@ -20,10 +20,8 @@ Wrapping image_of(const Model& model);
 /// Sorts the state by place.
 void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers);
 
-/// Own terms and arbitration: from sums to accelerations, and the next colours.
-void combine(const Model& model, State& state, Scratch& scratch, const Workers& workers);
-
-/// Velocity, limits, place, boundary. Boids that would go bad stay and are put out of play.
-void integrate(const Model& model, State& state, Scratch& scratch, const Workers& workers);
+/// Sums over neighbours, accelerations, velocities, places, and the next colours: boids are taken block by
+/// block, so that what was summed is still near when it is used.
+void flock(const Model& model, State& state, Scratch& scratch, StepWatch* watch, const Workers& workers);
 
 }  // namespace sturnus

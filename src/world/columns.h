@@ -7,6 +7,14 @@
 
 namespace sturnus {
 
+/// Where the columns are; null where they are empty.
+inline std::array<const float*, 3> pointers(const Columns& columns) {
+  std::array<const float*, 3> out{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out[axis] = columns[axis].empty() ? nullptr : columns[axis].data();
+  return out;
+}
+
 template <int D>
 Vec<D> at(const Columns& columns, std::size_t i) {
   Vec<D> v;

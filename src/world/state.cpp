@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #if defined(__unix__)
@@ -16,12 +17,20 @@ namespace sturnus {
 namespace {
 
 template <class T>
-void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order, std::vector<T>& moved) {
+void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order, std::vector<T>& moved,
+             const Workers& workers) {
   if (array.empty() || order.empty()) return;
   assert(order.size() == array.size());
   moved.resize(array.size());
-  for (std::size_t i = 0; i < order.size(); ++i) moved[i] = array[order[i]];
+  workers.for_ranges(order.size(), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) moved[i] = array[order[i]];
+  });
   array.swap(moved);
+}
+
+// Whether every value is that of the first, so that no order matters.
+bool is_even(const std::vector<std::uint8_t>& array) {
+  return array.size() < 2 || std::memcmp(array.data(), array.data() + 1, array.size() - 1) == 0;
 }
 
 }  // namespace
@@ -46,18 +55,19 @@ std::uint64_t hash(const State& state) {
   return sum + rest;
 }
 
-void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare) {
-  permute(state.id, order, spare.ids);
-  permute(state.flock, order, spare.bytes);
-  permute(state.quarantined, order, spare.bytes);
+void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare, const Workers& workers) {
+  permute(state.id, order, spare.ids, workers);
+  if (!is_even(state.flock)) permute(state.flock, order, spare.bytes, workers);
+  if (!is_even(state.quarantined)) permute(state.quarantined, order, spare.bytes, workers);
   for (Columns* columns : {&state.position, &state.velocity, &state.wander, &state.colour}) {
-    for (auto& column : *columns) permute(column, order, spare.floats);
+    for (auto& column : *columns) permute(column, order, spare.floats, workers);
   }
 }
 
 void reorder(Columns& columns, const std::vector<std::uint32_t>& order) {
   std::vector<float> moved;
-  for (auto& column : columns) permute(column, order, moved);
+  const Workers alone(1);
+  for (auto& column : columns) permute(column, order, moved, alone);
 }
 
 void keep(State& state, const std::vector<std::uint8_t>& marks) {
@@ -77,6 +87,11 @@ float wrapped_from_outside(float coordinate, float min, float max) {
   const float size = max - min;
   const float turned = coordinate - size * std::floor((coordinate - min) / size);
   return turned >= min && turned < max ? turned : min;
+}
+
+bool is_any_hidden(const State& state) {
+  return !state.quarantined.empty() &&
+         std::memchr(state.quarantined.data(), 1, state.quarantined.size()) != nullptr;
 }
 
 double bytes_needed(double boids) {

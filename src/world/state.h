@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "base/workers.h"
+
 namespace sturnus {
 
 /// Calls f(array) for every per-boid array, of whatever type.
@@ -30,12 +32,15 @@ struct Spare {
 };
 
 /// Puts boid order[i] at place i. `order` is a permutation, or empty for "as it is".
-void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare);
+void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare, const Workers& workers);
 /// The same for arrays beside the state; empty ones stay empty.
 void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
 
 /// Keeps the boids whose mark is not 0, in their order.
 void keep(State& state, const std::vector<std::uint8_t>& marks);
+
+/// Whether some boid is out of play.
+bool is_any_hidden(const State& state);
 
 /// A number that a step may compute with: finite, and not beyond 1e15.
 inline bool is_sound(float value) {

@@ -1,0 +1,29 @@
+// The motion of a stretch of boids: from sums over neighbours to accelerations, velocities and places.
+#pragma once
+
+#include "step/steering.h"
+
+namespace sturnus {
+
+/// A stretch of boids whose sums are known. Where they go is written to `scratch.previous_position` and
+/// `scratch.previous_velocity`, which become the state's when all have moved.
+template <int D>
+struct Motion {
+  const Model& model;
+  State& state;
+  Scratch& scratch;
+  PartScratch& part;
+  Steering<D> steering;
+  std::uint64_t flocks = 0;  ///< a bit for every flock that a boid may belong to
+  bool hides = false;        ///< whether some boid of all is out of play
+};
+
+/// Moves the boids [begin, end), one at a time.
+template <int D>
+void move_plain(Motion<D>& motion, std::size_t begin, std::size_t end);
+
+/// The same on the machine's widest registers, with the same bits.
+template <int D>
+void move_wide(Motion<D>& motion, std::size_t begin, std::size_t end);
+
+}  // namespace sturnus

@@ -1,0 +1,370 @@
+// Many boids at a time: the same operations as in motion.cpp and in the rules, lane by lane. What is rare (a
+// bounce, a number that goes bad) or draws random numbers is done for one boid after the other.
+#include "step/motion.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "step/motion_wide.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "neighbours/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sturnus {
+namespace HWY_NAMESPACE {
+
+template <int D>
+struct LaneVec {
+  Lanes at[D];
+};
+
+template <int D>
+HWY_INLINE LaneVec<D> Zeros() {
+  LaneVec<D> v;
+  for (int axis = 0; axis < D; ++axis) v.at[axis] = hn::Zero(Floats());
+  return v;
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Scaled(const LaneVec<D>& v, Lanes factor) {
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Mul(v.at[axis], factor);
+  return out;
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Sum(const LaneVec<D>& a, const LaneVec<D>& b) {
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Add(a.at[axis], b.at[axis]);
+  return out;
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Difference(const LaneVec<D>& a, const LaneVec<D>& b) {
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Sub(a.at[axis], b.at[axis]);
+  return out;
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Select(Lanes_mask mask, const LaneVec<D>& yes, const LaneVec<D>& no) {
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::IfThenElse(mask, yes.at[axis], no.at[axis]);
+  return out;
+}
+
+template <int D>
+HWY_INLINE Lanes Length(const LaneVec<D>& v) {
+  return hn::Sqrt(Squared<D>(v.at));
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Heading(const LaneVec<D>& v) {
+  const Floats d;
+  const Lanes size = Length(v);
+  const auto moves = hn::Gt(size, hn::Zero(d));
+  return Select(moves, Scaled(v, hn::Div(hn::Set(d, 1.0f), size)), Zeros<D>());
+}
+
+// Boids from slot `first` on, in the lanes, of whom some belong to the flock.
+template <int D>
+struct Group {
+  Motion<D>& motion;
+  const FlockModel& flock;
+  std::size_t first;
+  LaneVec<D> position, velocity;
+};
+
+template <int D>
+HWY_INLINE LaneVec<D> LoadVec(const Columns& columns, std::size_t first) {
+  LaneVec<D> v;
+  for (int axis = 0; axis < D; ++axis)
+    v.at[axis] = hn::LoadU(Floats(), columns[static_cast<std::size_t>(axis)].data() + first);
+  return v;
+}
+
+// The sum of a row and its count, with the boid itself where it counts too.
+template <int D>
+struct RowSum {
+  LaneVec<D> value;
+  Lanes count;
+  Lanes_mask is_lonely;
+};
+
+template <int D>
+HWY_INLINE RowSum<D> LoadSum(const Group<D>& group, std::size_t row) {
+  const Floats d;
+  const hn::RebindToSigned<Floats> di;
+  RowSum<D> sum;
+  SumBlock& sums = group.motion.part.sums;
+  for (int axis = 0; axis < D; ++axis)
+    sum.value.at[axis] = hn::LoadU(d, sums.value(row, static_cast<std::size_t>(axis), group.first));
+  const auto* counts = reinterpret_cast<const std::int32_t*>(sums.count(row, group.first));
+  sum.count = hn::ConvertTo(d, hn::LoadU(di, counts));
+  sum.is_lonely = hn::Eq(sum.count, hn::Zero(d));
+  return sum;
+}
+
+// 1 / n.
+HWY_INLINE Lanes Share(const TermModel& term, Lanes count) {
+  const Floats d;
+  const Lanes one = hn::Set(d, 1.0f);
+  return hn::Div(one, term.count_self ? hn::Add(count, one) : count);
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Combined(const TermModel& term, const RowSum<D>& sum) {
+  if (term.combine == Combine::sum) return sum.value;
+  return Select(sum.is_lonely, sum.value, Scaled(sum.value, Share(term, sum.count)));
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Alignment(const TermModel& term, const Group<D>& group, const RowSum<D>& sum) {
+  const LaneVec<D> own = term.match == Match::velocity ? group.velocity : Heading(group.velocity);
+  const LaneVec<D> total = term.count_self ? Sum(sum.value, own) : sum.value;
+  const LaneVec<D> average = Scaled(total, Share(term, sum.count));
+  const LaneVec<D> wish = term.relative ? Difference(average, own) : average;
+  if (term.count_self && !term.relative) return wish;
+  return Select(sum.is_lonely, Zeros<D>(), wish);
+}
+
+// A term that is asked boid by boid.
+template <int D>
+HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group) {
+  HWY_ALIGN float felt[D][width] = {};
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    const std::size_t i = group.first + lane;
+    Steering<D>& steering = group.motion.steering;
+    const Vec<D> one = steering.feel(term, group.flock, steering.self(i), i);
+    for (int axis = 0; axis < D; ++axis) felt[axis][lane] = one[axis];
+  }
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Load(Floats(), felt[axis]);
+  return out;
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Feel(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const auto row = static_cast<std::size_t>(term.row);
+  switch (term.kind) {
+    case TermKind::separation:
+      return Scaled(Combined(term, LoadSum(group, row)), hn::Set(d, -1.0f));
+    case TermKind::cohesion:
+      return Combined(term, LoadSum(group, row));
+    case TermKind::alignment:
+      return Alignment(term, group, LoadSum(group, row));
+    case TermKind::cruise:
+      return Scaled(Heading(group.velocity), hn::Sub(hn::Set(d, term.amount), Length(group.velocity)));
+    default:
+      return AskEach(term, group);
+  }
+}
+
+// Whether a term can be left out: it asks nothing of anybody, and adding +0 or -0 to a sum that began at +0
+// changes no bit of it.
+template <int D>
+bool IsSilent(const Motion<D>& motion, const TermModel& term) {
+  if (term.kind == TermKind::pointer) return !motion.state.pointer.pressed;
+  return term.kind == TermKind::custom && motion.scratch.custom[static_cast<std::size_t>(term.row)][0].empty();
+}
+
+HWY_INLINE bool AllWithin(Lanes_mask counted, Lanes value, float most) {
+  const Floats d;
+  return hn::AllTrue(d, hn::Or(hn::Not(counted), hn::Le(hn::Abs(value), hn::Set(d, most))));
+}
+
+// At most `longest` long; the caller has seen that the length is finite.
+template <int D>
+HWY_INLINE LaneVec<D> Capped(const LaneVec<D>& v, Lanes size, float longest) {
+  const Floats d;
+  const Lanes one = hn::Set(d, 1.0f);
+  const auto is_longer = hn::Gt(size, hn::Set(d, longest));
+  return Scaled(v, hn::Div(hn::IfThenElse(is_longer, hn::Set(d, longest), one),
+                           hn::IfThenElse(is_longer, size, one)));
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> Limited(const LaneVec<D>& v, Lanes speed, const FlockModel& flock) {
+  const Floats d;
+  const Lanes one = hn::Set(d, 1.0f);
+  const auto is_faster = hn::Gt(speed, hn::Set(d, flock.max_speed));
+  const auto is_slower = hn::Lt(speed, hn::Set(d, flock.min_speed));
+  const Lanes wanted = hn::IfThenElse(is_faster, hn::Set(d, flock.max_speed), hn::Set(d, flock.min_speed));
+  const auto moves = hn::Gt(speed, hn::Zero(d));
+  const auto is_limited = hn::And(moves, hn::Or(is_faster, is_slower));
+  const Lanes factor =
+      hn::Div(hn::IfThenElse(is_limited, wanted, one), hn::IfThenElse(is_limited, speed, one));
+  return Scaled(v, factor);
+}
+
+template <int D>
+HWY_INLINE LaneVec<D> BoundaryTurn(const Model& model, const LaneVec<D>& position) {
+  const Floats d;
+  LaneVec<D> push = Zeros<D>();
+  const Lanes strength = hn::Set(d, model.turn_strength);
+  for (int axis = 0; axis < D; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const auto is_low = hn::Lt(position.at[axis], hn::Set(d, model.min[i] + model.margin[i]));
+    const auto is_high = hn::Gt(position.at[axis], hn::Set(d, model.max[i] - model.margin[i]));
+    push.at[axis] = hn::IfThenElse(is_low, hn::Add(push.at[axis], strength), push.at[axis]);
+    push.at[axis] = hn::IfThenElse(is_high, hn::Sub(push.at[axis], strength), push.at[axis]);
+  }
+  return push;
+}
+
+// Where a boid leaves a space that wraps or bounces, it is brought back alone.
+template <int D>
+HWY_INLINE void KeepInside(const Group<D>& group, Lanes_mask counted, LaneVec<D>& position, LaneVec<D>& velocity) {
+  const Floats d;
+  const Model& model = group.motion.model;
+  if (model.boundary != BoundaryKind::wrap && model.boundary != BoundaryKind::bounce) return;
+  auto inside = counted;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    inside = hn::And(inside, hn::Ge(position.at[axis], hn::Set(d, model.min[i])));
+    inside = hn::And(inside, hn::Lt(position.at[axis], hn::Set(d, model.max[i])));
+  }
+  if (hn::AllTrue(d, hn::Or(inside, hn::Not(counted)))) return;
+  HWY_ALIGN float p[D][width];
+  HWY_ALIGN float v[D][width];
+  for (int axis = 0; axis < D; ++axis) {
+    hn::Store(position.at[axis], d, p[axis]);
+    hn::Store(velocity.at[axis], d, v[axis]);
+  }
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    Vec<D> one_position, one_velocity;
+    for (int axis = 0; axis < D; ++axis) {
+      one_position[axis] = p[axis][lane];
+      one_velocity[axis] = v[axis][lane];
+    }
+    keep_inside(model, one_position, one_velocity);
+    for (int axis = 0; axis < D; ++axis) {
+      p[axis][lane] = one_position[axis];
+      v[axis][lane] = one_velocity[axis];
+    }
+  }
+  for (int axis = 0; axis < D; ++axis) {
+    position.at[axis] = hn::Load(d, p[axis]);
+    velocity.at[axis] = hn::Load(d, v[axis]);
+  }
+}
+
+template <int D>
+HWY_INLINE bool AreSound(Lanes_mask counted, const LaneVec<D>& v) {
+  for (int axis = 0; axis < D; ++axis) {
+    if (!AllWithin(counted, v.at[axis], 1e15f)) return false;
+  }
+  return true;
+}
+
+// Moves the counted lanes; false where a number needs the care of the plain motion, and nothing is written.
+template <int D>
+HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
+  const Floats d;
+  const Model& model = group.motion.model;
+  constexpr float most = std::numeric_limits<float>::max();
+  LaneVec<D> felt = Zeros<D>();
+  for (const TermModel& term : group.flock.terms) {
+    if (!IsSilent(group.motion, term))
+      felt = Sum(felt, Scaled(Feel(term, group), hn::Set(d, term.weight)));
+  }
+  const Lanes size = Length(felt);
+  if (!AllWithin(counted, size, most)) return false;
+  LaneVec<D> acceleration = Capped(felt, size, group.flock.max_acceleration);
+  acceleration = Sum(acceleration, model.boundary == BoundaryKind::turn ? BoundaryTurn(model, group.position)
+                                                                        : Zeros<D>());
+  const Lanes dt = hn::Set(d, model.dt);
+  LaneVec<D> velocity = Sum(group.velocity, Scaled(acceleration, dt));
+  const Lanes speed = Length(velocity);
+  if (!AllWithin(counted, speed, most)) return false;
+  velocity = Limited(velocity, speed, group.flock);
+  const bool semi_implicit = model.integrator == Integrator::semi_implicit_euler;
+  LaneVec<D> position = Sum(group.position, Scaled(semi_implicit ? velocity : group.velocity, dt));
+  if (!AreSound(counted, position) || !AreSound(counted, velocity)) return false;
+  KeepInside(group, counted, position, velocity);
+  if (!AreSound(counted, position)) return false;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    hn::BlendedStore(position.at[axis], counted, d, group.motion.scratch.previous_position[i].data() + group.first);
+    hn::BlendedStore(velocity.at[axis], counted, d, group.motion.scratch.previous_velocity[i].data() + group.first);
+  }
+  return true;
+}
+
+// Whether lanes can do what a flock does; a random turn and a shared budget are done boid by boid, and so is
+// a walk that would go on twice where lanes have to be done again.
+inline bool HasLanes(const FlockModel& flock) {
+  if (flock.arbitration != Arbitration::weighted || flock.noise_turn != 0) return false;
+  for (const TermModel& term : flock.terms) {
+    if (term.kind == TermKind::wander) return false;
+  }
+  return true;
+}
+
+template <int D>
+HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std::size_t flock) {
+  const Floats d;
+  if (!motion.hides && (motion.flocks & (motion.flocks - 1)) == 0) return hn::FirstN(d, width);
+  HWY_ALIGN float is_member[width] = {};
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::size_t slot = first + i;
+    is_member[i] = motion.state.flock[slot] == flock && motion.state.quarantined[slot] == 0 ? 1.0f : 0.0f;
+  }
+  return hn::Gt(hn::Load(d, is_member), hn::Zero(d));
+}
+
+template <int D>
+HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
+  const Floats d;
+  for (std::size_t f = 0; f < motion.model.flocks.size(); ++f) {
+    const auto counted = MembersOf(motion, first, f);
+    if (hn::AllFalse(d, counted)) continue;
+    const Group<D> group{motion,
+                         motion.model.flocks[f],
+                         first,
+                         LoadVec<D>(motion.state.position, first),
+                         LoadVec<D>(motion.state.velocity, first)};
+    if (!HasLanes(group.flock) || !MoveGroup(group, counted)) move_plain(motion, first, first + width);
+  }
+}
+
+// The last lanes go back over boids that have moved: that changes nothing, since all is read from the state
+// and written elsewhere.
+template <int D>
+HWY_INLINE void MoveAll(Motion<D>& motion, std::size_t begin, std::size_t end) {
+  if (end - begin < width) return move_plain(motion, begin, end);
+  for (std::size_t first = begin; first < end; first += width) MoveLanes(motion, std::min(first, end - width));
+}
+
+void MoveWide2(Motion<2>& motion, std::size_t begin, std::size_t end) {
+  MoveAll(motion, begin, end);
+}
+void MoveWide3(Motion<3>& motion, std::size_t begin, std::size_t end) {
+  MoveAll(motion, begin, end);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace sturnus
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sturnus {
+
+HWY_EXPORT(MoveWide2);
+HWY_EXPORT(MoveWide3);
+
+template <>
+void move_wide<2>(Motion<2>& motion, std::size_t begin, std::size_t end) {
+  HWY_DYNAMIC_DISPATCH(MoveWide2)(motion, begin, end);
+}
+template <>
+void move_wide<3>(Motion<3>& motion, std::size_t begin, std::size_t end) {
+  HWY_DYNAMIC_DISPATCH(MoveWide3)(motion, begin, end);
+}
+
+}  // namespace sturnus
+#endif

@@ -1,0 +1,80 @@
+// From sums over neighbours to one acceleration: every term, its weight, the arbitration, the turn at the
+// edge.
+#pragma once
+
+#include "rules/rules.h"
+#include "step/step.h"
+#include "world/columns.h"
+
+namespace sturnus {
+
+/// The terms of one boid at a time.
+template <int D>
+class Steering {
+ public:
+  Steering(const Model& model, State& state, const Scratch& scratch, const SumBlock& sums)
+      : model_(model),
+        state_(state),
+        scratch_(scratch),
+        sums_(sums),
+        image_(image_of(model)),
+        moment_{model.seed, state.step} {}
+
+  Self<D> self(std::size_t i) const {
+    return {state_.id[i], at<D>(state_.position, i), at<D>(state_.velocity, i)};
+  }
+
+  Vec<D> acceleration(std::size_t i) {
+    const FlockModel& flock = model_.flocks[state_.flock[i]];
+    const Self<D> own = self(i);
+    Arbiter<D> arbiter(flock.arbitration, flock.max_acceleration);
+    for (const TermModel& term : flock.terms) {
+      const Vec<D> felt = feel(term, flock, own, i);
+      if (!arbiter.is_done()) arbiter.add(felt * term.weight);
+    }
+    return arbiter.result() + boundary_turn(model_, own.position);
+  }
+
+  /// What a term asks for, before its weight.
+  Vec<D> feel(const TermModel& term, const FlockModel& flock, const Self<D>& own, std::size_t i) {
+    const auto row = static_cast<std::size_t>(term.row);
+    switch (term.kind) {
+      case TermKind::separation:
+        return separation<D>(term, sums_.at(row, i));
+      case TermKind::alignment:
+        return alignment<D>(term, sums_.at(row, i), own);
+      case TermKind::cohesion:
+        return cohesion<D>(term, sums_.at(row, i));
+      case TermKind::flee:
+        return flee<D>(term, sums_.at(row, i), own, flock.max_speed);
+      case TermKind::cruise:
+        return cruise<D>(term, own);
+      case TermKind::wander:
+        return wander(term, own, i);
+      case TermKind::noise:
+        return noise_acceleration<D>(term, own, moment_);
+      case TermKind::pointer:
+        return pointer_pull<D>(model_.pointer, state_.pointer, own, image_, flock.max_speed);
+      case TermKind::custom:
+        return scratch_.custom[row][0].empty() ? Vec<D>{} : at<D>(scratch_.custom[row], i);
+    }
+    return {};
+  }
+
+ private:
+  // The walk goes on even where the arbitration does not grant it anything.
+  Vec<D> wander(const TermModel& term, const Self<D>& own, std::size_t i) {
+    const Vec<D> next = wandered<D>(term, own, at<D>(state_.wander, i), moment_);
+    put(state_.wander, i, next);
+    return next;
+  }
+
+  const Model& model_;
+  State& state_;
+  const Scratch& scratch_;
+  const SumBlock& sums_;
+  Wrapping image_;
+  Moment moment_;
+};
+
+}  // namespace sturnus
