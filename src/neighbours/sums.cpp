@@ -66,7 +66,8 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
     image.wraps = image.wraps && is_near_the_seam<D>(box, model);
     for (const SumPass& pass : question.passes->all()) {
       if ((pass.steered & members.flocks) == 0) continue;
-      question.index->spans(box.low, box.high, pass.reach, scratch.spans);
+      scratch.spans.clear();
+      if (question.index != nullptr) question.index->spans(box.low, box.high, pass.reach, scratch.spans);
       if (question.passes->are_wide()) {
         wide_batch<D>(targets, batch, members, scratch.spans, image, pass, sums);
       } else {

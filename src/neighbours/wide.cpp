@@ -182,7 +182,7 @@ struct Sums {
 template <int filter_count, bool with_options, WideAddend... list>
 struct Plan {
   static constexpr WideAddend addends[] = {list...};
-  static constexpr int rows = sizeof...(list);
+  static constexpr std::size_t rows = sizeof...(list);
   static constexpr int filters = filter_count;
   static constexpr bool has_options = with_options;
   static constexpr int filter_of(int row) { return row < filters ? row : filters - 1; }
@@ -259,10 +259,9 @@ HWY_INLINE void WalkSpan(const Walk<D, ThePlan>& walk, std::size_t begin, std::s
   WalkRange<D, wraps, few, false, ThePlan>(walk, others, end, sums);
 }
 
-template <class ThePlan>
-HWY_INLINE void Fold(Sums& sums) {
+HWY_INLINE void Fold(std::size_t rows, Sums& sums) {
   const Floats d;
-  for (int r = 0; r < ThePlan::rows; ++r) {
+  for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       AddDoubled(sums.whole[r][axis], sums.part[r][axis]);
       sums.part[r][axis] = hn::Zero(d);
@@ -285,11 +284,11 @@ HWY_INLINE void WalkMany(const Walk<D, ThePlan>& walk, Sums& sums) {
       left -= end - at;
       at = end;
       if (left != 0) continue;
-      Fold<ThePlan>(sums);
+      Fold(ThePlan::rows, sums);
       left = candidates_in_float;
     }
   }
-  Fold<ThePlan>(sums);
+  Fold(ThePlan::rows, sums);
 }
 
 template <int D>
@@ -398,10 +397,10 @@ HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const
           AddTo<D>(sums.part[r], row.addend, masks[row.filter], seen, *batch.boids, candidate);
         }
       }
-      if (!batch.few && ++seen_so_far % candidates_in_float == 0)
-        Fold<Plan<1, true, WideAddend::grows>>(sums);
+      if (!batch.few && ++seen_so_far % candidates_in_float == 0) Fold(program.row_count, sums);
     }
   }
+  if (!batch.few) Fold(program.row_count, sums);
 }
 
 template <int D>
@@ -426,9 +425,9 @@ HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
 template <class ThePlan>
 bool Fits(const WideProgram& program) {
   if (program.row_count != ThePlan::rows || program.filter_count != ThePlan::filters) return false;
-  for (int r = 0; r < ThePlan::rows; ++r) {
-    const WideRow& row = program.rows[static_cast<std::size_t>(r)];
-    if (row.addend != ThePlan::addends[r] || row.filter != ThePlan::filter_of(r)) return false;
+  for (std::size_t r = 0; r < ThePlan::rows; ++r) {
+    const WideRow& row = program.rows[r];
+    if (row.addend != ThePlan::addends[r] || row.filter != ThePlan::filter_of(static_cast<int>(r))) return false;
   }
   return true;
 }

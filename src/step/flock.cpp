@@ -153,7 +153,7 @@ void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* wat
   const Boids boids = boids_of(model, state, scratch);
   if (model.uses_totals) population_totals<D>(boids, model.flocks.size(), workers, scratch.totals);
   const NeighbourQuestion question{
-      &model, scratch.index.get(), image_of(model), scratch.totals, state.step, &scratch.passes};
+      &model, scratch.is_indexed ? scratch.index.get() : nullptr, image_of(model), scratch.totals, state.step, &scratch.passes};
   find_batches(state, scratch);
   weigh_blocks<D>(model, boids, scratch, workers);
   if (boids.hidden != nullptr) keep_the_hidden<D>(model, state, scratch);

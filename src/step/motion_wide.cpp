@@ -295,14 +295,9 @@ HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
   return true;
 }
 
-// Whether lanes can do what a flock does; a random turn and a shared budget are done boid by boid, and so is
-// a walk that would go on twice where lanes have to be done again.
+// Whether lanes can do what a flock does; a random turn and a shared budget are done boid by boid.
 inline bool HasLanes(const FlockModel& flock) {
-  if (flock.arbitration != Arbitration::weighted || flock.noise_turn != 0) return false;
-  for (const TermModel& term : flock.terms) {
-    if (term.kind == TermKind::wander) return false;
-  }
-  return true;
+  return flock.arbitration == Arbitration::weighted && flock.noise_turn == 0;
 }
 
 template <int D>
@@ -333,10 +328,10 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
 }
 
 // The last lanes go back over boids that have moved: that changes nothing, since all is read from the state
-// and written elsewhere.
+// and written elsewhere. Only a wandering boid's walk is not.
 template <int D>
 HWY_INLINE void MoveAll(Motion<D>& motion, std::size_t begin, std::size_t end) {
-  if (end - begin < width) return move_plain(motion, begin, end);
+  if (end - begin < width || motion.model.uses_wander) return move_plain(motion, begin, end);
   for (std::size_t first = begin; first < end; first += width) MoveLanes(motion, std::min(first, end - width));
 }
 

@@ -53,7 +53,7 @@ Sets found_sets(RandomWorld world, NeighbourIndex& index) {
     const auto place = place_of<D>(world, j);
     std::array<float, 3> at{};
     std::copy(place.at.begin(), place.at.end(), at.begin());
-    index.spans(at, at, spans);
+    index.spans(at, at, world.reach, spans);
     std::vector<int> times(world.size());
     for (const Span span : spans) {
       RC_ASSERT(span.begin <= span.end && span.end <= world.size());
@@ -145,7 +145,7 @@ void expect_all_near_a_box(const RandomWorld& world, const NeighbourIndex& index
   const auto other = static_cast<std::size_t>(*rc::gen::inRange(0, count));
   const IndexBox box = box_around(world, {one, other});
   std::vector<Span> spans;
-  index.spans(box.min, box.max, spans);
+  index.spans(box.min, box.max, world.reach, spans);
   std::vector<int> times(world.size());
   for (const Span span : spans) {
     for (std::uint32_t i = span.begin; i < span.end; ++i) ++times[i];
@@ -239,7 +239,7 @@ TEST(NeighbourIndex, OneFarAwayDoesNotMakeAllCellsHuge) {
   std::vector<std::uint32_t> order;
   index->build(world.cloud(), 2, Workers(1), order);
   std::vector<Span> spans;
-  index->spans({44, 44, 0}, {44, 44, 0}, spans);
+  index->spans({44, 44, 0}, {44, 44, 0}, 2, spans);
   std::size_t looked_at = 0;
   for (const Span span : spans) looked_at += span.end - span.begin;
   EXPECT_LT(looked_at, 100u);
@@ -283,7 +283,7 @@ TEST(NeighbourIndex, TreeStopsAtItsDepthWhereAllAreAtOnePoint) {
   std::vector<std::uint32_t> order;
   index->build(world.cloud(), 0.01f, Workers(1), order);
   std::vector<Span> spans;
-  index->spans({0.3f, 0.3f, 0}, {0.3f, 0.3f, 0}, spans);
+  index->spans({0.3f, 0.3f, 0}, {0.3f, 0.3f, 0}, 0.01f, spans);
   ASSERT_EQ(spans.size(), 1u);
   EXPECT_EQ(spans.front().end - spans.front().begin, 100u);
 }

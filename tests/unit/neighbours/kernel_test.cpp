@@ -1,5 +1,5 @@
 // The sums over neighbours: sampling, population totals, and sources that are not targets.
-#include "neighbours/kernel.h"
+#include "neighbours/passes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 /// Boids with everything that the kernel asks for.
 struct Crowd {
   Columns position, velocity;
-  std::vector<std::uint64_t> id, bit;
+  std::vector<std::uint64_t> id;
   std::vector<std::uint8_t> flock, hidden;
 
   void add(float x, float y, std::uint64_t own_id, std::uint8_t own_flock = 0) {
@@ -24,7 +24,6 @@ struct Crowd {
     id.push_back(own_id);
     flock.push_back(own_flock);
     hidden.push_back(0);
-    bit.push_back(std::uint64_t{1} << own_flock);
   }
   Boids boids() const {
     Boids out;
@@ -33,7 +32,8 @@ struct Crowd {
     out.velocity = {velocity[0].data(), velocity[1].data(), nullptr};
     out.id = id.data();
     out.flock = flock.data();
-    out.flock_bit = bit.data();
+    out.hidden = hidden.data();
+    out.flocks = 3;
     return out;
   }
   Cloud cloud() const {
@@ -70,11 +70,20 @@ std::vector<NeighbourSum> sums_of(const Model& model, const Crowd& targets, cons
   const auto index = make_all_pairs();
   std::vector<std::uint32_t> order;
   index->build(sources.cloud(), 1, Workers(1), order);
-  std::vector<NeighbourSum> sums(targets.id.size());
-  const NeighbourQuestion question{&model, index.get(), {}, totals, step};
+  Passes passes;
+  passes.plan(model, false);
+  KernelScratch scratch;
+  SumBlock block;
+  block.fit(1, 0, targets.id.size());
+  const NeighbourQuestion question{&model, index.get(), {}, totals, step, &passes};
   std::vector<Span> batches;
   cut(0, static_cast<std::uint32_t>(targets.id.size()), batches);
-  neighbour_sums<2>(targets.boids(), batches, sources.boids(), question, sums);
+  neighbour_sums<2>(targets.boids(), batches, sources.boids(), question, scratch, block);
+  std::vector<NeighbourSum> sums;
+  for (std::size_t i = 0; i < targets.id.size(); ++i) {
+    // What hidden boids sum means nothing.
+    sums.push_back(targets.hidden[i] == 0 ? block.at(0, i) : NeighbourSum{});
+  }
   return sums;
 }
 
@@ -89,15 +98,14 @@ TEST(NeighbourSums, SourcesNeedNotBeTargets) {
   EXPECT_EQ(sum.value, (std::array<float, 3>{2, 4, 0}));
 }
 
-TEST(NeighbourSums, NobodySeesWhoHasNoFlockBit) {
+TEST(NeighbourSums, NobodySeesTheHidden) {
   Crowd crowd;
   crowd.add(0, 0, 0);
   crowd.add(1, 0, 1);
   crowd.add(2, 0, 2);
-  crowd.bit[1] = 0;
+  crowd.hidden[1] = 1;
   const auto sums = sums_of(model_with(ring(10)), crowd, crowd);
   EXPECT_EQ(sums[0].count, 1u);
-  EXPECT_EQ(sums[1].count, 0u);
   EXPECT_EQ(sums[0].value[0], 2);
 }
 
@@ -161,7 +169,7 @@ TEST(PopulationTotals, AreTheSumsOfEveryFlockForAnyThreadCount) {
     crowd.add(static_cast<float>(i) * 0.37f, static_cast<float>(i % 101), i,
               static_cast<std::uint8_t>(i % 3));
   }
-  crowd.bit[4] = 0;
+  crowd.hidden[4] = 1;
   std::vector<Totals> one, eight;
   population_totals<2>(crowd.boids(), 3, Workers(1), one);
   population_totals<2>(crowd.boids(), 3, Workers(8), eight);

@@ -88,9 +88,12 @@ TEST(Coincident, CountInNAndHaveNoDirection) {
   EXPECT_TRUE(near(felt_by(with(Alignment{.weight = 1}), boids), {0.5f, 0}));  // (3 + 0)/2 - 1
 }
 
-TEST(Coincident, NeitherDoThoseTooNearForADirectionInFloat) {
+// Nearer than the root of the least normal float the push grows no more, and never overflows.
+TEST(Coincident, NearOnesPushNoHarderThanFromTheLeastDistance) {
+  const float least = std::numeric_limits<float>::min();
   const Point felt = felt_by(with(Separation{}), {{{0, 0}}, {{1e-30f, 0}}});
-  EXPECT_TRUE(near(felt, {}));
+  EXPECT_FLOAT_EQ(felt[0], -1e-30f / least);
+  EXPECT_EQ(felt[1], 0);
 }
 
 const std::vector<Placed> moving = {{{0, 0}, {1, 0}}, {{3, 4}, {0, 2}}, {{-2, 0}, {4, 0}}};

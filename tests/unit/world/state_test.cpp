@@ -89,7 +89,7 @@ RC_GTEST_PROP(StateHash, DoesNotDependOnTheOrderOfStorage, ()) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
   std::shuffle(order.begin(), order.end(), std::mt19937(*rc::gen::arbitrary<unsigned>()));
   Spare spare;
-  reorder(state, order, spare);
+  reorder(state, order, spare, Workers(1));
   RC_ASSERT(hash(state) == before);
 }
 
@@ -97,11 +97,11 @@ TEST(Reorder, PutsEveryArrayInTheSameOrder) {
   State state = full_state(3, 4);
   const State before = state;
   Spare spare;
-  reorder(state, {2, 0, 3, 1}, spare);
+  reorder(state, {2, 0, 3, 1}, spare, Workers(1));
   EXPECT_EQ(state.id, (std::vector<std::uint64_t>{17, 3, 24, 10}));
   EXPECT_EQ(state.velocity[2][0], before.velocity[2][2]);
   EXPECT_EQ(state.colour[1][3], before.colour[1][1]);
-  reorder(state, {}, spare);
+  reorder(state, {}, spare, Workers(1));
   EXPECT_EQ(state.id.front(), 17u);
 }
 
@@ -146,7 +146,7 @@ TEST(View, FindsBoidsByTheirIds) {
   const Columns none;
   State state = full_state(2, 4);
   Spare spare;
-  reorder(state, {3, 1, 0, 2}, spare);
+  reorder(state, {3, 1, 0, 2}, spare, Workers(1));
   const View view(state, scenario, none, none);
   EXPECT_EQ(view.slot(24), 0u);
   EXPECT_EQ(view.slot(3), 2u);
