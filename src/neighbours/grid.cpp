@@ -1,6 +1,7 @@
 // The uniform cell grid: rows of height reach along x, cells of a quarter reach in a row, sorted by counting.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "neighbours/index.h"
 
@@ -41,6 +42,8 @@ struct Runs {
   }
 };
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 class Grid : public NeighbourIndex {
  public:
   void build(const Cloud& cloud, float reach, const Workers& workers,
@@ -66,6 +69,42 @@ class Grid : public NeighbourIndex {
         }
       }
     }
+  }
+
+  void ring(const std::array<float, 3>& low, const std::array<float, 3>& high, float inner, float outer,
+            RingParts& parts) const override {
+    parts.whole.clear();
+    parts.edge.clear();
+    const RingQuestion question{low, high, inner, outer, padded_reach(cloud_, outer) - double{outer}};
+    const Run y = run(1, low[1], high[1], question);
+    const Run z = cloud_.dimensions == 3 ? run(2, low[2], high[2], question) : Run{0, 0};
+    const Run x = run(0, low[0], high[0], question);
+    if (y.last - y.first + 1 >= axes_[1].cells || z.last - z.first + 1 > axes_[2].cells ||
+        x.last - x.first + 1 >= axes_[0].cells) {
+      return spans(low, high, outer, parts.edge);
+    }
+    for (std::int64_t layer = z.first; layer <= z.last; ++layer) {
+      for (std::int64_t row = y.first; row <= y.last; ++row) ring_row(question, layer, row, parts);
+    }
+  }
+
+  CellLayout layout() const override {
+    return {std::span(begin_).first(begin_.size() - 1), static_cast<std::size_t>(axes_[0].cells),
+            static_cast<std::size_t>(row_count()), !cloud_.wraps};
+  }
+
+  // From the boids that share a cell.
+  double crowding() const override {
+    double pairs = 0;
+    for (std::size_t cell = 0; cell + 2 < begin_.size(); ++cell) {
+      const double count = begin_[cell + 1] - begin_[cell];
+      pairs += count * (count - 1);
+    }
+    double cells_in_ball = cloud_.dimensions == 3 ? 4.18879 : 3.14159;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis)
+      cells_in_ball *= reach_ * double{axes_[axis].cells_per_length};
+    const double count = std::max<double>(1, static_cast<double>(cloud_.count));
+    return std::min(count, pairs / count * std::max(1.0, cells_in_ball));
   }
 
   void batches(std::vector<Span>& batches) const override {
@@ -132,12 +171,15 @@ class Grid : public NeighbourIndex {
 
   // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how
   // many.
+  // Where crowds are summed cell by cell, a row is cut as finely as pays.
+  double cells_in_reach() const { return cloud_.fineness == 1 ? 4 : 4 * cloud_.fineness; }
+
   static constexpr double most_along_an_axis = 1 << 22;  // cells that a float still tells apart
   double lay(const std::array<std::array<double, 2>, 3>& stretch, double scale) {
     double total = 1;
     axes_[2] = {};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis) {
-      const double wanted = (axis == 0 ? reach_ / 4 : reach_) * scale;
+      const double wanted = (axis == 0 ? reach_ / cells_in_reach() : reach_ / cloud_.fineness) * scale;
       const double length = stretch[axis][1] - stretch[axis][0];
       const double cells = std::clamp(std::floor(length / wanted), 1.0, most_along_an_axis);
       axes_[axis].min = static_cast<float>(stretch[axis][0]);
@@ -277,6 +319,116 @@ class Grid : public NeighbourIndex {
       out.add(0, high - cells.cells);
     }
     return out;
+  }
+
+  // What `ring` asks, with the room for rounding.
+  struct RingQuestion {
+    const std::array<float, 3>& low;
+    const std::array<float, 3>& high;
+    double inner, outer, room;
+  };
+  // Cells [first, last] along an axis; beyond the ends in a space that wraps.
+  struct Run {
+    std::int64_t first, last;
+    bool has(std::int64_t cell) const { return first <= cell && cell <= last; }
+  };
+
+  Run between(std::size_t axis, double from, double to) const {
+    const Axis& cells = axes_[axis];
+    if (!cloud_.wraps) return {cells.cell(static_cast<float>(from)), cells.cell(static_cast<float>(to))};
+    return {cells.unbounded_cell(from), cells.unbounded_cell(to)};
+  }
+
+  Run run(std::size_t axis, float low, float high, const RingQuestion& question) const {
+    const double far = question.outer + question.room;
+    return between(axis, low - far, high + far);
+  }
+
+  // The cells that lie between two places with both their ends; none where the places are crossed. Border
+  // cells are endless where space does not wrap.
+  Run inside(double from, double to) const {
+    if (!(from <= to)) return {1, 0};
+    Run run = between(0, from, to);
+    ++run.first;
+    --run.last;
+    return run;
+  }
+
+  // The least and the largest distance, squared, from a row to places between low and high.
+  struct Distances {
+    double least = 0, most = 0;
+  };
+  Distances distances(std::size_t axis, std::int64_t row, double low, double high) const {
+    const bool is_first = !cloud_.wraps && row == 0;
+    const bool is_last = !cloud_.wraps && row == axes_[axis].cells - 1;
+    const double from = is_first ? -infinity : axes_[axis].edge(row);
+    const double to = is_last ? infinity : axes_[axis].edge(row + 1);
+    const double gap = std::max({0.0, from - high, low - to});
+    const double far = std::max(to - low, high - from);
+    return {gap * gap, far * far};
+  }
+
+  static double half_chord(double radius, double distance_squared) {
+    const double squared = radius > 0 ? radius * radius - distance_squared : -1;
+    return squared >= 0 ? std::sqrt(squared) : -infinity;
+  }
+
+  // Cuts one row where it enters and leaves the ring, for all places of the box and for some.
+  void ring_row(const RingQuestion& q, std::int64_t layer, std::int64_t row, RingParts& parts) const {
+    Distances d = distances(1, row, q.low[1], q.high[1]);
+    if (cloud_.dimensions == 3) {
+      const Distances z = distances(2, layer, q.low[2], q.high[2]);
+      d = {d.least + z.least, d.most + z.most};
+    }
+    const double low = q.low[0];
+    const double high = q.high[0];
+    const double outermost = half_chord(q.outer + q.room, d.least);
+    if (outermost < 0) return;
+    const double all_within = half_chord(q.outer - q.room, d.most);
+    const double some_nearer = q.inner > 0 ? half_chord(q.inner + q.room, d.least) : -infinity;
+    const double all_nearer = half_chord(q.inner - q.room, d.most);
+    const Run near = between(0, low - outermost, high + outermost);
+    const Run within = inside(high - all_within, low + all_within);
+    const Run maybe_hole = some_nearer < 0 ? Run{1, 0} : between(0, low - some_nearer, high + some_nearer);
+    const Run hole = inside(high - all_nearer, low + all_nearer);
+    std::array<std::int64_t, 8> cuts = {near.first,       near.last + 1,       within.first, within.last + 1,
+                                        maybe_hole.first, maybe_hole.last + 1, hole.first,   hole.last + 1};
+    for (std::int64_t& cut : cuts) cut = std::clamp(cut, near.first, near.last + 1);
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i] == cuts[i + 1] || hole.has(cuts[i])) continue;
+      const bool is_whole = within.has(cuts[i]) && !maybe_hole.has(cuts[i]);
+      add_cells(layer, row, {cuts[i], cuts[i + 1] - 1}, is_whole, parts);
+    }
+  }
+
+  // Where a row or cell beyond the ends of a space that wraps really is.
+  struct Place {
+    std::int64_t cell;
+    float shift;
+  };
+  Place place_of(std::size_t axis, std::int64_t cell) const {
+    const std::int64_t cells = axes_[axis].cells;
+    const float size = cloud_.max[axis] - cloud_.min[axis];
+    if (cell < 0) return {cell + cells, -size};
+    if (cell >= cells) return {cell - cells, size};
+    return {cell, 0};
+  }
+
+  void add_cells(std::int64_t layer, std::int64_t row, Run run, bool is_whole, RingParts& parts) const {
+    const Place z = place_of(2, layer);
+    const Place y = place_of(1, row);
+    const std::int64_t first_of_row = (z.cell * axes_[1].cells + y.cell) * axes_[0].cells;
+    while (run.first <= run.last) {
+      const Place x = place_of(0, run.first);
+      const std::int64_t count = std::min(run.last - run.first + 1, axes_[0].cells - x.cell);
+      const auto first = static_cast<std::uint32_t>(first_of_row + x.cell);
+      const auto last = first + static_cast<std::uint32_t>(count);
+      const Span span{begin_[first], begin_[last]};
+      if (span.begin < span.end && is_whole) parts.whole.push_back({first, last, {x.shift, y.shift, z.shift}});
+      if (span.begin < span.end && !is_whole) parts.edge.push_back(span);
+      run.first += count;
+    }
   }
 
   void add_row(std::int64_t layer, std::int64_t row, const Runs& x, std::vector<Span>& spans) const {

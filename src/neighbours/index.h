@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/workers.h"
@@ -24,11 +25,33 @@ struct Cloud {
   bool hides = true;                     ///< false where nobody is hidden
   bool wraps = false;
   std::array<float, 3> min{}, max{};  ///< of the space
+  int fineness = 1;                   ///< grid: rows of cells in one reach; more for crowds
 };
 
 /// Boids [begin, end) of the order.
 struct Span {
   std::uint32_t begin, end;
+};
+
+/// Cells [first, last) of one row, seen from over the seam of the space where the shift is not zero.
+struct CellRun {
+  std::uint32_t first, last;
+  std::array<float, 3> shift;
+};
+
+/// The neighbourhood of a box in two parts: cells whose boids are all neighbours of every place in the box, and
+/// spans of those that have to be asked one by one.
+struct RingParts {
+  std::vector<CellRun> whole;
+  std::vector<Span> edge;
+};
+
+/// How cells lie in the order.
+struct CellLayout {
+  std::span<const std::uint32_t> begin;  ///< of each cell; one more for the end of the last
+  std::size_t cells_in_row = 0;
+  std::size_t rows = 0;
+  bool has_border = false;  ///< a row's first and last cell hold whoever is beyond, and are never whole
 };
 
 /// A part of space, for pictures of the index.
@@ -59,6 +82,21 @@ class NeighbourIndex {
   /// Cuts the order into batches of at most `batch_size` boids that stand near one another, to be asked about
   /// together; one follows the other without a gap. Hidden boids may be left out. `batches` is cleared first.
   virtual void batches(std::vector<Span>& batches) const = 0;
+
+  /// The neighbourhood of the box between two distances, as `spans` has it. Whole cells hold nobody nearer
+  /// than `inner` or as far as `outer`, rounding included; an index without cells has none.
+  virtual void ring(const std::array<float, 3>& low, const std::array<float, 3>& high, float inner,
+                    float outer, RingParts& parts) const {
+    static_cast<void>(inner);
+    parts.whole.clear();
+    spans(low, high, outer, parts.edge);
+  }
+
+  /// The cells of `ring`; nothing where there are none.
+  virtual CellLayout layout() const { return {}; }
+
+  /// How many neighbours a boid has within the reach, roughly and on average; 0 where it can't be told.
+  virtual double crowding() const { return 0; }
 
   /// The cells or leaves that hold boids.
   virtual void boxes(std::vector<IndexBox>& boxes) const = 0;

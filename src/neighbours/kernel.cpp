@@ -144,12 +144,7 @@ void add_neighbours(const Walk& walk, const Target<D>& target, std::span<Running
   }
 }
 
-// What a row sums: the boids' own values and the totals of them.
-struct Summed {
-  const std::array<const float*, 3>& own;
-  const std::array<double, 3> Totals::*total;
-  std::size_t components;
-};
+}  // namespace
 
 template <int D>
 Summed summed_by(const NeighbourRow& row, const Boids& boids) {
@@ -166,31 +161,6 @@ Summed summed_by(const NeighbourRow& row, const Boids& boids) {
   return {boids.position, &Totals::position, D};
 }
 
-// Totals of the flocks that a row looks at, minus the boid itself, as if it had summed over all others.
-template <int D>
-NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::size_t self,
-                              std::span<const Totals> totals) {
-  const Summed summed = summed_by<D>(row, boids);
-  const bool self_counted = (row.flocks & boids.flock_bit(self)) != 0;
-  double count = self_counted ? -1 : 0;
-  std::array<double, 3> sum{};
-  for (std::size_t flock = 0; flock < totals.size(); ++flock) {
-    if ((row.flocks >> flock & 1) == 0) continue;
-    count += totals[flock].count;
-    for (std::size_t axis = 0; axis < summed.components; ++axis)
-      sum[axis] += (totals[flock].*summed.total)[axis];
-  }
-  NeighbourSum out;
-  out.count = static_cast<std::uint32_t>(count);
-  for (std::size_t axis = 0; axis < summed.components; ++axis) {
-    const double mine = summed.own[axis][self];
-    double others = sum[axis] - (self_counted ? mine : 0);
-    if (row.quantity == Quantity::offset) others -= count * mine;
-    out.value[axis] = static_cast<float>(others);
-  }
-  return out;
-}
-
 template <int D>
 void add_boid(Totals& totals, const Boids& boids, std::size_t i) {
   totals.count += 1;
@@ -203,6 +173,8 @@ void add_boid(Totals& totals, const Boids& boids, std::size_t i) {
     totals.colour[channel] += double{boids.colour[channel][i]};
   }
 }
+
+namespace {
 
 void add_totals(Totals& to, const Totals& from) {
   to.count += from.count;
@@ -236,6 +208,28 @@ void population_totals(const Boids& boids, std::size_t flocks, const Workers& wo
 
 namespace {
 
+// Totals of the flocks that a row looks at, minus the boid itself, as if it had summed over all others.
+template <int D>
+NeighbourSum whole_population(const NeighbourRow& row, const Boids& boids, std::size_t self,
+                              std::span<const Totals> totals) {
+  Totals total;
+  for (std::size_t flock = 0; flock < totals.size(); ++flock) {
+    if ((row.flocks >> flock & 1) != 0) add_totals(total, totals[flock]);
+  }
+  const Summed summed = summed_by<D>(row, boids);
+  const bool self_counted = (row.flocks & boids.flock_bit(self)) != 0;
+  const double count = total.count - (self_counted ? 1 : 0);
+  NeighbourSum out;
+  out.count = static_cast<std::uint32_t>(count);
+  for (std::size_t axis = 0; axis < summed.components; ++axis) {
+    const double mine = summed.own[axis][self];
+    double others = (total.*summed.total)[axis] - (self_counted ? mine : 0);
+    if (row.quantity == Quantity::offset) others -= count * mine;
+    out.value[axis] = static_cast<float>(others);
+  }
+  return out;
+}
+
 template <int D>
 Target<D> target_at(const Boids& targets, std::size_t j, const NeighbourQuestion& question) {
   const auto velocity = at<D>(targets.velocity, j);
@@ -247,11 +241,16 @@ Target<D> target_at(const Boids& targets, std::size_t j, const NeighbourQuestion
 }  // namespace
 
 template <int D>
+bool is_few(std::size_t candidates, const SumPass& pass) {
+  return candidates <= (pass.is_dense ? few_of_a_plain_sum : few_candidates[D - 2]);
+}
+
+template <int D>
 void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span<const Span> spans,
                const NeighbourQuestion& question, const SumPass& pass, KernelScratch& scratch,
                SumBlock& sums) {
   const Model& model = *question.model;
-  const bool few = candidates(spans) <= few_candidates<D>;
+  const bool few = is_few<D>(candidates(spans), pass);
   for (std::size_t j = batch.begin; j < batch.end; ++j) {
     if ((targets.flock_bit(j) & pass.steered) == 0) continue;
     const std::size_t f = targets.flock[j];
@@ -283,10 +282,16 @@ void SumBlock::spoil() {
 
 template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
 template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
+template bool is_few<2>(std::size_t, const SumPass&);
+template bool is_few<3>(std::size_t, const SumPass&);
 template void sum_batch<2>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
                            const SumPass&, KernelScratch&, SumBlock&);
 template void sum_batch<3>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
                            const SumPass&, KernelScratch&, SumBlock&);
+template Summed summed_by<2>(const NeighbourRow&, const Boids&);
+template Summed summed_by<3>(const NeighbourRow&, const Boids&);
+template void add_boid<2>(Totals&, const Boids&, std::size_t);
+template void add_boid<3>(Totals&, const Boids&, std::size_t);
 template void add_populations<2>(const Boids&, Span, const NeighbourQuestion&, SumBlock&);
 template void add_populations<3>(const Boids&, Span, const NeighbourQuestion&, SumBlock&);
 

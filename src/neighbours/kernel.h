@@ -73,6 +73,19 @@ struct Totals {
   std::array<double, 3> position{}, velocity{}, heading{}, colour{};
 };
 
+/// Adds one boid.
+template <int D>
+void add_boid(Totals& totals, const Boids& boids, std::size_t i);
+
+/// What a row sums: the boids' own values and the totals of them.
+struct Summed {
+  const std::array<const float*, 3>& own;
+  const std::array<double, 3> Totals::*total;
+  std::size_t components;
+};
+template <int D>
+Summed summed_by(const NeighbourRow& row, const Boids& boids);
+
 /// Sums of the whole population, flock by flock. Fixed blocks in storage order, so that no thread count
 /// matters.
 template <int D>
@@ -97,8 +110,8 @@ struct NeighbourQuestion {
 /// distance is added in double at once: a swarm of hundreds around a boid pushes from all sides, a near one
 /// thousands of times as hard as a far one, and what is left of the push must not be the rounding of the sum.
 /// Candidates count whether they turn out to be neighbours or not, so that every kernel does the same.
-template <int D>
-inline constexpr std::uint32_t few_candidates = D == 3 ? 512 : 256;  // in 3D fewer of them are near
+inline constexpr std::uint32_t few_candidates[] = {256, 512};  // in 2D and in 3D, where fewer of them are near
+inline constexpr std::uint32_t few_of_a_plain_sum = 1024;      // where nothing fades
 inline constexpr std::uint32_t candidates_in_float = 64;
 
 /// A sum in the making.
@@ -112,6 +125,10 @@ struct RunningSum {
     part = {};
   }
 };
+
+/// Whether the sums of a pass over so many candidates stay in float.
+template <int D>
+bool is_few(std::size_t candidates, const SumPass& pass);
 
 /// How many candidates the spans hold.
 inline std::size_t candidates(std::span<const Span> spans) {
@@ -129,6 +146,8 @@ struct Box {
 struct KernelScratch {
   std::vector<Span> spans;
   std::vector<RunningSum> running;
+  RingParts ring;
+  std::vector<CellRun> own_runs;
 };
 
 /// For the targets of each batch: every row of the target's flock, summed over its neighbours among the

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "neighbours/cell_sums.h"
 #include "neighbours/wide.h"
 
 namespace sturnus {
@@ -16,21 +17,35 @@ struct SumPass {
   std::vector<std::uint64_t> rows;
   std::vector<WideProgram> programs;  ///< for each flock; empty for the plain kernel
 
+  /// Where this is set the pass has one flock and one filter: boids in cells that lie wholly inside its ring
+  /// are not asked one by one, but come from sums of cells.
+  bool is_dense = false;
+  float inner = 0;  ///< length
+  std::uint64_t looked_at = 0;
+  CellSums cells;
+
   void clear(std::size_t flocks);
 };
 
 /// All passes of a step. The memory of earlier steps is used again.
 class Passes {
  public:
-  /// The sparse passes of a model: with the wide kernel one for flocks whose programs have one shape.
-  void plan(const Model& model, bool may_be_wide);
+  /// The passes of a model. With the wide kernel, flocks whose programs have one shape share one. A row that
+  /// is a plain sum over a ring gets a dense pass of its own where the model asks for it, or where a boid has
+  /// about `crowding` neighbours within the model's reach and the row thus sees very many.
+  void plan(const Model& model, bool may_be_wide, double crowding = 0);
   std::span<const SumPass> all() const { return std::span(passes_).first(count_); }
+  std::span<SumPass> all() { return std::span(passes_).first(count_); }
+  bool has_dense() const;
   bool are_wide() const { return wide_; }
 
  private:
   SumPass& next(std::size_t flocks);
+  void plan_dense(const FlockModel& flock, std::size_t number, const Model& model, std::uint64_t rows);
+  void plan_sparse(const Model& model, std::size_t flock);
   std::vector<SumPass> passes_;
-  std::vector<WideProgram> programs_;  ///< of each flock's finite rows
+  std::vector<std::uint64_t> sparse_;  ///< for each flock, a bit for every row that is summed boid by boid
+  std::vector<WideProgram> programs_;  ///< of each flock's sparse rows
   std::size_t count_ = 0;
   bool wide_ = false;
 };

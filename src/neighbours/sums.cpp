@@ -35,6 +35,19 @@ Members members_of(const Boids& boids, Span batch) {
   return {any, any != all};
 }
 
+// Whom the kernel has to ask; who comes in whole cells is left in the scratch.
+std::span<const Span> find_candidates(const NeighbourIndex* index, const Box& box, const SumPass& pass,
+                                      KernelScratch& scratch) {
+  if (pass.is_dense && index != nullptr) {
+    index->ring(box.low, box.high, pass.inner, pass.reach, scratch.ring);
+    return scratch.ring.edge;
+  }
+  scratch.ring.whole.clear();
+  scratch.spans.clear();
+  if (index != nullptr) index->spans(box.low, box.high, pass.reach, scratch.spans);
+  return scratch.spans;
+}
+
 template <int D>
 void wide_batch(const Boids& boids, Span batch, const Members& members, std::span<const Span> spans,
                 const Wrapping& image, const SumPass& pass,
@@ -43,7 +56,7 @@ void wide_batch(const Boids& boids, Span batch, const Members& members, std::spa
   wide.boids = &boids;
   wide.targets = batch;
   wide.spans = spans;
-  wide.few = candidates(spans) <= few_candidates<D>;
+  wide.few = is_few<D>(candidates(spans), pass);
   wide.image = image;
   wide.programs = pass.programs.data();
   wide.steered = pass.steered & members.flocks;
@@ -66,13 +79,13 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
     image.wraps = image.wraps && is_near_the_seam<D>(box, model);
     for (const SumPass& pass : question.passes->all()) {
       if ((pass.steered & members.flocks) == 0) continue;
-      scratch.spans.clear();
-      if (question.index != nullptr) question.index->spans(box.low, box.high, pass.reach, scratch.spans);
+      const auto spans = find_candidates(question.index, box, pass, scratch);
       if (question.passes->are_wide()) {
-        wide_batch<D>(targets, batch, members, scratch.spans, image, pass, sums);
+        wide_batch<D>(targets, batch, members, spans, image, pass, sums);
       } else {
-        sum_batch<D>(targets, batch, sources, scratch.spans, question, pass, scratch, sums);
+        sum_batch<D>(targets, batch, sources, spans, question, pass, scratch, sums);
       }
+      if (pass.is_dense) add_whole_cells<D>(targets, batch, question, pass, scratch.ring.whole, scratch, sums);
     }
     if (model.uses_totals) add_populations<D>(targets, batch, question, sums);
   }

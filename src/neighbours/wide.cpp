@@ -456,7 +456,8 @@ void SumBatch(const WideBatch& batch) {
           ? SumByOneOf<D, Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
                        Plan<3, true, fades, heading, fades>>(batch, program)
           : SumByOneOf<D, Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
-                       Plan<2, false, grows, velocity, grows>>(batch, program);
+                       Plan<2, false, grows, velocity, grows>, Plan<1, false, fades>, Plan<1, false, grows>,
+                       Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>(batch, program);
   if (!done) SumBatchAny<D>(batch);
 }
 

@@ -1,6 +1,4 @@
 // From places to places, block by block: neighbours, steering, motion.
-#include <sturnus/isa.h>
-
 #include "step/motion.h"
 #include "step/step.h"
 #include "world/columns.h"
@@ -102,6 +100,15 @@ void keep_the_hidden(const Model& model, const State& state, Scratch& scratch) {
   }
 }
 
+// What dense passes need of the boids as they stand.
+template <int D>
+void sum_cells(const Boids& boids, Scratch& scratch, const Workers& workers) {
+  for (SumPass& pass : scratch.passes.all()) {
+    if (pass.is_dense && scratch.is_indexed)
+      pass.cells.build<D>(scratch.index->layout(), boids, pass.looked_at, workers);
+  }
+}
+
 // What one part of the work does block after block.
 template <int D>
 void flock_part(const Model& model, State& state, Scratch& scratch, const Boids& boids,
@@ -143,7 +150,6 @@ void prepare(const Model& model, const State& state, Scratch& scratch, const Wor
   if (model.uses_colour) fit(scratch.next_colour, 3, state.size());
   scratch.parts.resize(static_cast<std::size_t>(workers.count()));
   for (PartScratch& part : scratch.parts) part.fallen.clear();
-  scratch.passes.plan(model, isa_in_use() != "plain");
 }
 
 template <int D>
@@ -155,6 +161,7 @@ void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* wat
   const NeighbourQuestion question{
       &model, scratch.is_indexed ? scratch.index.get() : nullptr, image_of(model), scratch.totals, state.step, &scratch.passes};
   find_batches(state, scratch);
+  sum_cells<D>(boids, scratch, workers);
   weigh_blocks<D>(model, boids, scratch, workers);
   if (boids.hidden != nullptr) keep_the_hidden<D>(model, state, scratch);
   workers.for_weighted(scratch.weights, [&](std::size_t begin, std::size_t end, int part) {

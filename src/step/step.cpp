@@ -1,7 +1,7 @@
 // One step of a flock, in the order in which the papers tell it.
 #include "step/step.h"
 
-#include <cstring>
+#include <sturnus/isa.h>
 
 #include "world/columns.h"
 #include "world/state.h"
@@ -29,6 +29,12 @@ void ask_outside(const ScenarioDef& scenario, const State& state, Scratch& scrat
 
 bool is_the_same(const Index& one, const Index& other) {
   return one.kind == other.kind && one.leaf_size == other.leaf_size && one.depth_limit == other.depth_limit;
+}
+
+// Rows of cells in one reach, so that whole cells fill most of it; by measurement.
+int fineness_for(int dimensions, double crowding) {
+  if (dimensions == 3) return crowding < 5000 ? 3 : 5;
+  return crowding < 2000 ? 4 : crowding < 6000 ? 6 : 12;
 }
 
 // Keeps the index of the step before, with its memory, where it still fits.
@@ -64,10 +70,16 @@ Wrapping image_of(const Model& model) {
 void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
   scratch.order.clear();
   scratch.is_indexed = model.reach > 0 && state.size() > 0;
-  if (!scratch.is_indexed) return;
-  const Cloud cloud = cloud_of(model, state);
+  if (!scratch.is_indexed) return scratch.passes.plan(model, isa_in_use() != "plain");
+  Cloud cloud = cloud_of(model, state);
   fit_index(model, cloud, scratch);
   scratch.index->build(cloud, model.reach, workers, scratch.order);
+  const double crowding = scratch.index->crowding();
+  scratch.passes.plan(model, isa_in_use() != "plain", crowding);
+  if (scratch.passes.has_dense()) {
+    cloud.fineness = fineness_for(model.dimensions, crowding);
+    scratch.index->build(cloud, model.reach, workers, scratch.order);
+  }
   reorder(state, scratch.order, scratch.spare, workers);
 }
 
