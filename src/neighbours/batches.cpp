@@ -10,33 +10,39 @@ namespace {
 // Boids in which batches are cut apart from all others, whatever the number of threads.
 constexpr std::size_t block_size = 4096;
 
-// The end of the batch from `begin` that has the least space within reach for each of its boids.
+// Asking for a batch's neighbours takes about as long as looking at so many of them.
+constexpr double trouble = 32;
+
+// The end of the batch from `begin` that is expected to cost least for each of its boids.
 template <std::size_t axes>
-std::size_t cheapest_end(const Line& line, std::size_t begin, std::size_t end, float reach) {
+std::size_t cheapest_end(const Row& row, std::size_t begin, std::size_t end) {
+  const Line& line = *row.line;
   float low[axes], high[axes];
   for (std::size_t axis = 0; axis < axes; ++axis) low[axis] = high[axis] = line[axis][begin];
   std::size_t best = begin + 1;
-  float least = 0;
+  double least = infinity;
+  double room = 0;
   for (std::size_t i = begin; i < std::min(end, begin + batch_size); ++i) {
-    float space = 1;
+    double space = 1;
     for (std::size_t axis = 0; axis < axes; ++axis) {
       low[axis] = std::min(low[axis], line[axis][i]);
       high[axis] = std::max(high[axis], line[axis][i]);
-      space *= high[axis] - low[axis] + 2 * reach;
+      space *= (double{high[axis]} - double{low[axis]}) / row.reach + 2;
     }
-    space /= static_cast<float>(i + 1 - begin);
-    if (i > begin && !(space <= least)) continue;
-    least = space;
+    room += double{row.room[i]};
+    const double cost = trouble / static_cast<double>(i + 1 - begin) + space / room;
+    if (!(cost <= least)) continue;
+    least = cost;
     best = i + 1;
   }
   return best;
 }
 
 template <std::size_t axes>
-std::size_t cut_block(const Line& line, std::size_t begin, std::size_t end, float reach, Span* batches) {
+std::size_t cut_block(const Row& row, std::size_t begin, std::size_t end, Span* batches) {
   std::size_t count = 0;
   while (begin < end) {
-    const std::size_t next = cheapest_end<axes>(line, begin, end, reach);
+    const std::size_t next = cheapest_end<axes>(row, begin, end);
     batches[count++] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(next)};
     begin = next;
   }
@@ -45,17 +51,16 @@ std::size_t cut_block(const Line& line, std::size_t begin, std::size_t end, floa
 
 }  // namespace
 
-void BatchCutter::cut(const Line& line, std::size_t axes, std::size_t count, float reach,
-                      const Workers& workers) {
-  const std::size_t blocks = (count + block_size - 1) / block_size;
-  batches_.resize(count);
+void BatchCutter::cut(const Row& row, const Workers& workers) {
+  const std::size_t blocks = (row.count + block_size - 1) / block_size;
+  batches_.resize(row.count);
   counts_.resize(blocks);
   const auto cut_blocks = [&](std::size_t first, std::size_t last, int) {
     for (std::size_t block = first; block < last; ++block) {
       const std::size_t begin = block * block_size;
-      const std::size_t end = std::min(count, begin + block_size);
-      const auto cut_one = axes == 3 ? cut_block<3> : cut_block<2>;
-      counts_[block] = static_cast<std::uint32_t>(cut_one(line, begin, end, reach, &batches_[begin]));
+      const std::size_t end = std::min(row.count, begin + block_size);
+      const auto cut_one = row.dimensions == 3 ? cut_block<3> : cut_block<2>;
+      counts_[block] = static_cast<std::uint32_t>(cut_one(row, begin, end, &batches_[begin]));
     }
   };
   workers.for_ranges(blocks, std::ref(cut_blocks));

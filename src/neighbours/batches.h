@@ -4,18 +4,26 @@
 #include <array>
 #include <vector>
 
+#include "neighbours/branches.h"
 #include "neighbours/index.h"
 
 namespace sturnus {
 
-/// Places of boids in the order in which they stand; the third is empty in 2D.
-using Line = std::array<std::vector<float>, 3>;
+/// Boids in the order in which they stand.
+struct Row {
+  int dimensions = 2;
+  const Line* line = nullptr;
+  std::size_t count = 0;
+  double reach = 1;
+  const float* room = nullptr;  ///< the share of space of each, in boxes of the reach
+};
 
-/// Batches are cut so that the space within `reach` of a batch's box is small for each boid in it: a batch
-/// ends early where the line jumps. Keeps its memory for the next time.
+/// Cuts where the kernel has the least work by an estimate: the boids that are expected within the reach of a
+/// batch's box, and the trouble of asking for them, over the boids of the batch. So a batch ends early where
+/// the line jumps. Keeps its memory for the next time.
 class BatchCutter {
  public:
-  void cut(const Line& line, std::size_t axes, std::size_t count, float reach, const Workers& workers);
+  void cut(const Row& row, const Workers& workers);
   const std::vector<Span>& batches() const { return batches_; }
 
  private:

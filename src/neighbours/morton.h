@@ -40,16 +40,22 @@ struct KeyCube {
   double side = 1;
   int levels = 0;
 
-  template <int D>
-  std::uint64_t key(const std::array<const float*, 3>& position, std::size_t i) const {
+  /// Calls f(i, key) for boids [begin, end).
+  template <int D, class F>
+  void for_keys(const std::array<const float*, 3>& position, std::size_t begin, std::size_t end,
+                F&& f) const {
     const auto cells = static_cast<double>(std::int64_t{1} << levels);
-    std::uint64_t key = 0;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const double place = (position[axis][i] - min[axis]) * (cells / side);
-      const auto cell = static_cast<std::int64_t>(std::clamp(place, 0.0, cells - 1));
-      key |= spread<D>(static_cast<std::uint64_t>(cell)) << axis;
+    const double cells_per_length = cells / side;
+    const std::array<double, 3> low = min;
+    for (std::size_t i = begin; i < end; ++i) {
+      std::uint64_t key = 0;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        const double place = (double{position[axis][i]} - low[axis]) * cells_per_length;
+        const auto cell = static_cast<std::int64_t>(place > 0 ? std::min(place, cells - 1) : 0.0);
+        key |= spread<D>(static_cast<std::uint64_t>(cell)) << axis;
+      }
+      f(i, key);
     }
-    return key;
   }
 };
 
