@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t block_size = 4096;
 
 // Asking for a batch's neighbours takes about as long as looking at so many of them.
-constexpr double trouble = 32;
+constexpr double trouble = 20;
 
 // The end of the batch from `begin` that is expected to cost least for each of its boids.
 template <std::size_t axes>
