@@ -19,18 +19,22 @@ std::size_t cheapest_end(const Row& row, std::size_t begin, std::size_t end) {
   const Line& line = *row.line;
   float low[axes], high[axes];
   for (std::size_t axis = 0; axis < axes; ++axis) low[axis] = high[axis] = line[axis][begin];
+  const double boxes_per_length = 1 / row.reach;
   std::size_t best = begin + 1;
   double least = infinity;
   double room = 0;
   for (std::size_t i = begin; i < std::min(end, begin + batch_size); ++i) {
     double space = 1;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      low[axis] = std::min(low[axis], line[axis][i]);
-      high[axis] = std::max(high[axis], line[axis][i]);
-      space *= (double{high[axis]} - double{low[axis]}) / row.reach + 2;
+      const float at = line[axis][i];
+      low[axis] = at < low[axis] ? at : low[axis];
+      high[axis] = at > high[axis] ? at : high[axis];
+      space *= (double{high[axis]} - double{low[axis]}) * boxes_per_length + 2;
     }
     room += double{row.room[i]};
-    const double cost = trouble / static_cast<double>(i + 1 - begin) + space / room;
+    const auto count = static_cast<double>(i + 1 - begin);
+    // trouble / count + space / room, by one division
+    const double cost = (trouble * room + space * count) / (room * count);
     if (!(cost <= least)) continue;
     least = cost;
     best = i + 1;

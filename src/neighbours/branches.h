@@ -19,7 +19,7 @@ struct SortedBoids {
   std::uint32_t count = 0;
 };
 
-/// When a node is not divided further.
+/// When a node is not divided further. Boids in one cell of the finest that keys know are not divided either.
 struct Limits {
   std::uint32_t leaf_size = 1;
   int depth = 0;

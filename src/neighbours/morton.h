@@ -12,7 +12,8 @@
 
 namespace sturnus {
 
-/// Halvings that a key has room for. Bit 63 stays free for those who have no place.
+/// Halvings that a key has room for; a tree is never deeper, whatever its limit. In 2D and 3D bit 63 stays
+/// free for those who have no place.
 template <int D>
 inline constexpr int most_levels = D == 2 ? 31 : 21;
 

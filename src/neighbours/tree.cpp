@@ -2,10 +2,7 @@
 // enough. Built anew each step from the boids' sorted Z-order keys: a node is a stretch of them that have the
 // same first bits.
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <functional>
-#include <type_traits>
 
 #include "neighbours/batches.h"
 #include "neighbours/branches.h"
@@ -18,7 +15,7 @@ namespace {
 // No cell is finer than this part of the reach: whoever is nearer is asked about together in any case.
 constexpr double cells_per_reach = 256;
 
-// Boids so many times farther apart than most of them are strays.
+// Where the boids are so many times farther apart than most of them, the outermost are strays.
 constexpr double most_sizes = 4096;
 
 constexpr std::uint64_t hidden_key = std::uint64_t{1} << 63;
@@ -56,6 +53,7 @@ class Tree : public NeighbourIndex {
 
  private:
   std::size_t axes() const { return static_cast<std::size_t>(cloud_.dimensions); }
+
   // The space, made larger where boids are outside.
   void find_bounds(const Workers& workers) {
     parts_.assign(static_cast<std::size_t>(workers.count()), {cloud_.min, cloud_.max});
