@@ -252,7 +252,7 @@ TEST(NeighbourIndex, BoxesHoldTheirBoids) {
   world.hidden = {0, 0, 0};
   world.ids = {0, 1, 2};
   for (const IndexKind kind : {IndexKind::grid, IndexKind::tree}) {
-    const auto index = make_index({kind, 1, 10}, world.cloud(), 1);
+    const auto index = make_index({.kind = kind, .leaf_size = 1, .depth_limit = 10}, world.cloud(), 1);
     std::vector<std::uint32_t> order;
     index->build(world.cloud(), 1, Workers(1), order);
     std::vector<IndexBox> boxes;
