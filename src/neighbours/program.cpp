@@ -108,6 +108,10 @@ bool use_isa(Isa isa) {
   return has;
 }
 
+bool is_wide_in_use() {
+  return in_use != Isa::plain;
+}
+
 std::string isa_in_use() {
   if (in_use == Isa::plain) return "plain";
   const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;

@@ -63,6 +63,9 @@ struct WideBatch {
   SumBlock* sums = nullptr;
 };
 
+/// Whether steps use the wide kernel: an instruction set is in use, not the plain loop.
+bool is_wide_in_use();
+
 /// Sums of the batch's targets that belong to the steered flocks.
 template <int D>
 void wide_sums(const WideBatch& batch);

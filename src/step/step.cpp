@@ -1,8 +1,6 @@
 // One step of a flock, in the order in which the papers tell it.
 #include "step/step.h"
 
-#include <sturnus/isa.h>
-
 #include "world/columns.h"
 #include "world/state.h"
 
@@ -37,10 +35,16 @@ int fineness_for(int dimensions, double crowding) {
   return crowding < 2000 ? 4 : crowding < 6000 ? 6 : 12;
 }
 
+// So few that cells cost more than looking at everybody; by measurement.
+bool is_small(const Index& wanted, const Cloud& cloud) {
+  const std::size_t few = cloud.dimensions == 3 ? 320 : 128;
+  return wanted.kind == IndexKind::grid && wanted.path != SumPath::dense && cloud.count <= few;
+}
+
 // Keeps the index of the step before, with its memory, where it still fits.
 void fit_index(const Model& model, const Cloud& cloud, Scratch& scratch) {
   Index wanted = model.index;
-  if (!may_divide(cloud, model.reach)) wanted.kind = IndexKind::all_pairs;
+  if (!may_divide(cloud, model.reach) || is_small(wanted, cloud)) wanted.kind = IndexKind::all_pairs;
   if (scratch.index && is_the_same(scratch.indexed_as, wanted)) return;
   scratch.index = make_index(wanted, cloud, model.reach);
   scratch.indexed_as = wanted;
@@ -70,12 +74,12 @@ Wrapping image_of(const Model& model) {
 void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
   scratch.order.clear();
   scratch.is_indexed = model.reach > 0 && state.size() > 0;
-  if (!scratch.is_indexed) return scratch.passes.plan(model, isa_in_use() != "plain");
+  if (!scratch.is_indexed) return scratch.passes.plan(model, is_wide_in_use());
   Cloud cloud = cloud_of(model, state);
   fit_index(model, cloud, scratch);
   scratch.index->build(cloud, model.reach, workers, scratch.order);
   const double crowding = scratch.index->crowding();
-  scratch.passes.plan(model, isa_in_use() != "plain", crowding);
+  scratch.passes.plan(model, is_wide_in_use(), crowding);
   if (scratch.passes.has_dense()) {
     cloud.fineness = fineness_for(model.dimensions, crowding);
     scratch.index->build(cloud, model.reach, workers, scratch.order);
