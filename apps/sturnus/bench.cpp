@@ -3,6 +3,7 @@
 #include <sturnus/measure.h>
 #include <sturnus/parameters.h>
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 
@@ -44,10 +45,15 @@ void fill_times(BenchRow& row, const BenchTimes& times) {
   row.share = shares(times.phases);
 }
 
+// A parameter that is a word, without its quotation marks.
+std::string word_of(const ScenarioDef& scenario, const char* key) {
+  return std::get<std::string>(sturnus::parse_value(*get_parameter(scenario, key)).held);
+}
+
 void fill_names(BenchRow& row, const ScenarioDef& scenario) {
   row.scenario = scenario.name;
-  row.index = *get_parameter(scenario, "index.kind");
-  row.path = *get_parameter(scenario, "index.path");
+  row.index = word_of(scenario, "index.kind");
+  row.path = word_of(scenario, "index.path");
 }
 
 // All cases one after the other, and what became of them.
@@ -115,7 +121,15 @@ class Bench {
   BenchReport report_;
 };
 
+void tell_of_memory(const BenchReport& report) {
+  const auto is_shared = [](const BenchRow& row) { return !row.is_own_peak; };
+  if (std::any_of(report.rows.begin(), report.rows.end(), is_shared)) {
+    tell("peak MB is the most of all cases so far, because this system can't forget an earlier peak");
+  }
+}
+
 int write_and_judge(const BenchOptions& options, const BenchReport& report, int code) {
+  tell_of_memory(report);
   if (!options.json.empty()) {
     if (const auto status = sturnus::write_text(options.json, bench_json(options, report)); !status)
       return fail(status.problems());
@@ -133,8 +147,9 @@ int bench(const BenchOptions& options) {
     if (const auto status = sturnus::check_file(options.json); !status) return fail(status.problems());
   }
   const BenchIsas isas = bench_isas(options);
-  for (const std::string& name : isas.lacking)
-    tell("--isa: " + lack_of_isa(name) + "; " + name + " is skipped");
+  for (const std::string& name : isas.lacking) {
+    tell("--isa: " + name + " is skipped, because this machine lacks it; it has " + isas_here());
+  }
   Bench work(options, *scenarios, isas);
   const int code = work.run();
   return code == bad_input ? code : write_and_judge(options, work.report(), code);
@@ -143,22 +158,21 @@ int bench(const BenchOptions& options) {
 void describe(CLI::App& command, BenchOptions& options) {
   command
       .add_option("SCENARIO", options.scenarios,
-                  "Shipped scenarios (sturnus list) or paths of files; without any, bench-2d and bench-3d")
+                  "Shipped scenarios (sturnus list) or files; none:\nbench-2d and bench-3d")
       ->type_name("");
-  add_wholes(
-      command, "--boids", options.boids, 1, 1000000000,
-      "Boids in all flocks, in the scenario's proportions; without it 1e4, 1e5 and 1e6 where the space "
-      "grows with them, and else as many as the scenario has");
+  add_wholes(command, "--boids", options.boids, 1, 1000000000,
+             "Boids in all flocks, shared as in the scenario. Not given:\n"
+             "1e4, 1e5 and 1e6 where the space grows with them, and\n"
+             "else as many as the scenario has");
   add_wholes(command, "--threads", options.threads, 0, 1024,
-             "Threads; 0: one for each core. Without it 1 and all cores");
+             "Threads; 0: one for each core. Not given: 1 and 0");
   add_choices(command, "--isa", options.isas, isa_names(),
-              "Instruction sets of the sums over neighbours; what the machine lacks is skipped");
+              "Instruction sets of the sums over neighbours; those that\nthe machine lacks are skipped");
   add_search_options(command, options.index, options.path);
-  add_whole(command, "--steps", options.steps, 1, 1000000, "Steps in each repeat; without it 10");
-  add_whole(command, "--repeats", options.repeats, 1, 100000, "Repeats; without it 5");
+  add_whole(command, "--steps", options.steps, 1, 1000000, "Steps in each repeat; not given: 10");
+  add_whole(command, "--repeats", options.repeats, 1, 100000, "Repeats; not given: 5");
   add_text(command, "--json", options.json, "FILE", "Write the figures as JSON too");
-  command.add_flag("--quick", options.quick,
-                   "A glance: 2000 boids, 2 repeats of 3 steps, unless said otherwise");
+  command.add_flag("--quick", options.quick, "A glance: 2000 boids, 2 repeats of 3 steps where not given");
 }
 
 }  // namespace

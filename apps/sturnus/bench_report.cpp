@@ -128,9 +128,8 @@ std::string bench_preface(const BenchLength& length) {
   return std::string("sturnus ") + sturnus::version + ", " + compiler_name() + ", on " + processor_name() +
          ", " + counted(static_cast<std::uint64_t>(processor_cores()), "core") + "\n" +
          counted(length.repeats, "repeat") + " of " + counted(length.steps, "step") + " after " +
-         counted(length.warm_up, "step") +
-         " to warm up; ns are for each boid and step, in wall time where threads wait for each other;\n"
-         "CPU ns and shares of the phases: time of the thread that was busiest in each\n\n";
+         counted(length.warm_up, "step") + " to warm up. ns: for each boid and step, by the clock named.\n" +
+         "CPU ns, and the shares of the phases: time of the thread that was busiest in each phase.\n\n";
 }
 
 std::string bench_json(const BenchOptions& options, const BenchReport& report) {

@@ -45,8 +45,8 @@ bool add_repeat(sturnus::Simulation& flock, PhaseClock& clock, std::uint64_t ste
     add(phases, clock.take_busiest());
   }
   const double cpu = flock.threads() == 1 ? thread_seconds() - own : total(phases);
-  times.wall.push_back(1e9 * (wall_seconds() - wall) / boid_steps);
-  times.cpu.push_back(1e9 * cpu / boid_steps);
+  times.wall.push_back(1e9 * (wall_seconds() - wall) / std::max(boid_steps, 1.0));
+  times.cpu.push_back(1e9 * cpu / std::max(boid_steps, 1.0));
   add(times.phases, phases);
   return true;
 }

@@ -30,13 +30,13 @@ std::string isa_name_in_use() {
   return name == "plain" ? "scalar" : name;
 }
 
-std::string lack_of_isa(const std::string& name) {
+std::string isas_here() {
   std::string those;
   for (auto one = std::next(isa_names().begin()); one != isa_names().end(); ++one) {
     if (use_isa_named(*one)) those += (those.empty() ? "" : ", ") + *one;
   }
   sturnus::use_isa(Isa::best);
-  return "this machine lacks " + name + "; it has " + those;
+  return those;
 }
 
 }  // namespace program

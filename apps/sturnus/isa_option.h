@@ -15,7 +15,7 @@ bool use_isa_named(const std::string& name);
 /// The name of what is in use, never "best".
 std::string isa_name_in_use();
 
-/// What to say where the machine lacks one: its name, and those that it has. Leaves the best in use.
-std::string lack_of_isa(const std::string& name);
+/// The names of those that the machine has, for sentences. Leaves the best in use.
+std::string isas_here();
 
 }  // namespace program

@@ -209,7 +209,9 @@ int run_and_write(const RunOptions& options, Simulation& flock, std::uint64_t st
 
 int run(const RunOptions& options) {
   if (const std::string complaint = complaint_about(options); !complaint.empty()) return refuse(complaint);
-  if (!use_isa_named(options.isa)) return refuse("--isa: " + lack_of_isa(options.isa));
+  if (!use_isa_named(options.isa)) {
+    return refuse("--isa: this machine lacks " + options.isa + "; it has " + isas_here());
+  }
   const auto scenario = effective_scenario(options.scenario);
   if (!scenario) return refuse(scenario.problems());
   const auto inputs = read_inputs(*scenario);
