@@ -180,7 +180,7 @@ void describe(CLI::App& command, BenchOptions& options) {
 void add_bench(CLI::App& app, Request& request) {
   CLI::App* command = add_command(
       app, "bench", "Measure the speed of steps, and check that all ways end in the same bits",
-      {"sturnus bench                                   # takes some minutes", "sturnus bench --quick",
+      {"sturnus bench                                   # takes a minute or two", "sturnus bench --quick",
        "sturnus bench bench-3d --boids 1e5 --threads 1,2,4 --json speed.json",
        "sturnus bench ucsd two-flocks --isa scalar,sse4,avx2,avx512 --threads 1",
        "sturnus bench bench-2d --boids 20000 --index tree --steps 20 --repeats 9"});
