@@ -8,6 +8,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 namespace program {
 namespace {
@@ -24,6 +25,44 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string out;
   for (const std::string& word : words) out += (out.empty() ? "" : between) + word;
   return out;
+}
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts(1);
+  for (const char letter : list) {
+    if (letter == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  return parts;
+}
+
+// What is wrong with a word that should be a whole number; empty when nothing is.
+std::string complaint_about_whole(const std::string& word, std::int64_t low, std::int64_t high) {
+  const auto number = whole_number(word);
+  if (!number) return "must be a whole number, but is \"" + word + "\"";
+  if (*number < low) return "must be at least " + std::to_string(low) + ", but is " + word;
+  if (*number > high) return "must be at most " + std::to_string(high) + ", but is " + word;
+  return {};
+}
+
+// The same for one of a few words.
+std::string complaint_about_word(const std::string& word, const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+  return "must be one of " + joined(words, ", ") + ", but is " + quoted_with_guess(word, words);
+}
+
+// Checks every part of a list; the first complaint counts.
+CLI::Validator each_of_list(const std::function<std::string(const std::string&)>& check) {
+  const auto check_all = [check](const std::string& list) -> std::string {
+    for (const std::string& part : split(list)) {
+      if (std::string complaint = check(part); !complaint.empty()) return complaint;
+    }
+    return {};
+  };
+  return {check_all, "", ""};
 }
 
 bool is_option(const std::string& word) {
@@ -102,17 +141,25 @@ CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional
     place = whole_number(words.back());
     return place.has_value();
   };
-  const auto check = [low, high](const std::string& word) -> std::string {
-    const auto number = whole_number(word);
-    if (!number) return "must be a whole number, but is \"" + word + "\"";
-    if (*number < low) return "must be at least " + std::to_string(low) + ", but is " + word;
-    if (*number > high) return "must be at most " + std::to_string(high) + ", but is " + word;
-    return {};
-  };
+  const auto check = [low, high](const std::string& word) { return complaint_about_whole(word, low, high); };
   return command.add_option(name, store, about)
       ->type_name("N")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
       ->check(check);
+}
+
+CLI::Option* add_wholes(CLI::App& command, const std::string& name, std::vector<std::int64_t>& place,
+                        std::int64_t low, std::int64_t high, const std::string& about) {
+  const auto store = [&place](const CLI::results_t& lists) {
+    place.clear();
+    for (const std::string& part : split(lists.back())) place.push_back(whole_number(part).value_or(0));
+    return true;
+  };
+  const auto check = [low, high](const std::string& word) { return complaint_about_whole(word, low, high); };
+  return command.add_option(name, store, about)
+      ->type_name("N,N,...")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->check(each_of_list(check));
 }
 
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& place, const std::string& type,
@@ -131,11 +178,21 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string&
   return add_text(command, name, place, joined(words, "|"), about)->check(one_of(words));
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) {
-  const auto check = [words](const std::string& word) -> std::string {
-    if (std::find(words.begin(), words.end(), word) != words.end()) return {};
-    return "must be one of " + joined(words, ", ") + ", but is " + quoted_with_guess(word, words);
+CLI::Option* add_choices(CLI::App& command, const std::string& name, std::vector<std::string>& place,
+                         const std::vector<std::string>& words, const std::string& about) {
+  const auto store = [&place](const CLI::results_t& lists) {
+    place = split(lists.back());
+    return true;
   };
+  const auto check = [words](const std::string& word) { return complaint_about_word(word, words); };
+  return command.add_option(name, store, about)
+      ->type_name(joined(words, "|") + ",...")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->check(each_of_list(check));
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [words](const std::string& word) { return complaint_about_word(word, words); };
   return {check, "", ""};
 }
 

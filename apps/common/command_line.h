@@ -19,12 +19,19 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 /// A whole number between `low` and `high`; 1e6 is one too. The last one given counts.
 CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& place,
                        std::int64_t low, std::int64_t high, const std::string& about);
+/// Whole numbers with commas between them. The last list given counts.
+CLI::Option* add_wholes(CLI::App& command, const std::string& name, std::vector<std::int64_t>& place,
+                        std::int64_t low, std::int64_t high, const std::string& about);
 /// A word or path. The last one given counts.
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& place, const std::string& type,
                       const std::string& about);
 /// One of a few words. The last one given counts.
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& place,
                         const std::vector<std::string>& words, const std::string& about);
+
+/// Some of a few words, with commas between them. The last list given counts.
+CLI::Option* add_choices(CLI::App& command, const std::string& name, std::vector<std::string>& place,
+                         const std::vector<std::string>& words, const std::string& about);
 
 /// Checks a value to be one of a few words, with "did you mean".
 CLI::Validator one_of(const std::vector<std::string>& words);

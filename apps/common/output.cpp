@@ -22,6 +22,11 @@ void print(const std::string& text) {
   keep_error(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
+void show_output() {
+  errno = 0;
+  keep_error(std::fflush(stdout) == 0);
+}
+
 void tell(const std::string& sentence) {
   std::fputs((sentence + "\n").c_str(), stderr);
 }
@@ -46,8 +51,7 @@ int fail(const sturnus::Problems& problems) {
 }
 
 int finish(int code) {
-  errno = 0;
-  keep_error(std::fflush(stdout) == 0);
+  show_output();
   if (output_error == 0) return code;
   if (output_error != EPIPE) {
     tell(std::string("the standard output cannot be written: ") + std::strerror(output_error));

@@ -18,6 +18,8 @@ enum Exit : int {
 
 /// Writes to standard output. What goes wrong is kept for `finish`.
 void print(const std::string& text);
+/// Shows at once what was printed so far, where it would else wait for more.
+void show_output();
 /// Writes a sentence to standard error as a line of its own.
 void tell(const std::string& sentence);
 /// Writes all problems to standard error, one a line.

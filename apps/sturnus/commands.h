@@ -12,6 +12,7 @@ void add_show(CLI::App& app, Request& request);
 void add_keys(CLI::App& app, Request& request);
 void add_new(CLI::App& app, Request& request);
 void add_check(CLI::App& app, Request& request);
+void add_bench(CLI::App& app, Request& request);
 void add_shadertoy(CLI::App& app, Request& request);
 
 }  // namespace program

@@ -29,6 +29,7 @@ void describe(CLI::App& app, Request& request) {
   add_keys(app, request);
   add_new(app, request);
   add_check(app, request);
+  add_bench(app, request);
   add_shadertoy(app, request);
 }
 

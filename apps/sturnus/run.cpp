@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "bench_row.h"
 #include "command_line.h"
 #include "commands.h"
 #include "course.h"
 #include "inputs.h"
+#include "isa_option.h"
+#include "json_text.h"
 #include "output.h"
 #include "scenario_options.h"
 
@@ -29,6 +31,7 @@ struct RunOptions {
   std::string measures;
   std::string plot;
   std::string folder;
+  std::string isa = "best";
   bool json = false;
   std::vector<std::string> words;  ///< the command line
 
@@ -79,7 +82,7 @@ Status prepare_folder(const RunOptions& options, const Inputs& copies) {
 }
 
 std::string hash_text(const Simulation& flock) {
-  return format("%016llx", static_cast<unsigned long long>(flock.hash()));
+  return hash_digits(flock.hash());
 }
 
 std::string closing_line(const Simulation& flock, const Course& course) {
@@ -87,11 +90,6 @@ std::string closing_line(const Simulation& flock, const Course& course) {
   return counted(course.steps, "step") + ", " + counted(flock.view().size(), "boid") +
          format(", %.3f s, %s ns per boid and step, hash %s\n", course.seconds, speed.c_str(),
                 hash_text(flock).c_str());
-}
-
-// A number that means nothing is null.
-nlohmann::ordered_json number_or_null(double number) {
-  return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json(nullptr);
 }
 
 nlohmann::ordered_json last_measures(const Course& course) {
@@ -118,7 +116,7 @@ std::string summary_json(const RunOptions& options, const Simulation& flock, con
   out["hash"] = hash_text(flock);
   out["interrupted"] = course.interrupted;
   if (!course.rows.empty()) out["last_measures"] = last_measures(course);
-  return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(out);
 }
 
 // Writes results one after the other; what fails is told and the rest still written.
@@ -211,6 +209,9 @@ int run_and_write(const RunOptions& options, Simulation& flock, std::uint64_t st
 
 int run(const RunOptions& options) {
   if (const std::string complaint = complaint_about(options); !complaint.empty()) return refuse(complaint);
+  if (!use_isa_named(options.isa)) {
+    return refuse("--isa: this machine lacks " + options.isa + "; it has " + isas_here());
+  }
   const auto scenario = effective_scenario(options.scenario);
   if (!scenario) return refuse(scenario.problems());
   const auto inputs = read_inputs(*scenario);
@@ -244,6 +245,8 @@ void add_run(CLI::App& app, Request& request) {
            "Write all of it into one folder, with what is needed to repeat it");
   command->add_flag("--json", options->json, "Print the summary as JSON");
   add_work_options(*command, options->work);
+  add_choice(*command, "--isa", options->isa, isa_names(),
+             "Instruction set of the sums over neighbours. No result depends on it");
   command->callback([&request, options] {
     options->words = request.words;
     request.work = [options] { return run(*options); };

@@ -78,8 +78,11 @@ Status apply(const ScenarioOptions& options, ScenarioDef& scenario) {
     scenario.run.resumed = true;
   }
   if (!options.initial.empty()) scenario.run.initial = path_for(scenario, options.initial);
-  if (options.index.empty()) return {};
-  return set_for("--index", scenario, "index.kind", {options.index});
+  if (!options.index.empty()) {
+    if (Status status = set_for("--index", scenario, "index.kind", {options.index}); !status) return status;
+  }
+  if (options.path.empty()) return {};
+  return set_for("--path", scenario, "index.path", {options.path});
 }
 
 // Warnings of the file, with their lines, and those that came with the options.
@@ -108,10 +111,15 @@ void add_parameter_options(CLI::App& command, ScenarioOptions& options) {
       ->allow_extra_args(false);
 }
 
+void add_search_options(CLI::App& command, std::string& index, std::string& path) {
+  add_choice(command, "--index", index, {"all-pairs", "grid", "tree"}, "How neighbours are found");
+  add_choice(command, "--path", path, {"auto", "dense", "sparse"}, "How sums over neighbours are made");
+}
+
 void add_scenario_options(CLI::App& command, ScenarioOptions& options) {
   add_parameter_options(command, options);
   add_whole(command, "--steps", options.steps, 0, 1000000000000000, "How many steps to do");
-  add_choice(command, "--index", options.index, {"all-pairs", "grid", "tree"}, "How neighbours are found");
+  add_search_options(command, options.index, options.path);
   add_text(command, "--initial", options.initial, "STATE.csv", "Take the boids from a state file");
   add_whole(command, "--first-step", options.first_step, 0, 1000000000000000,
             "The step at which that state stands");

@@ -20,6 +20,7 @@ struct ScenarioOptions {
   std::vector<std::string> set;  ///< "key=value"
   std::optional<std::int64_t> count, seed, steps, first_step;
   std::string index;    ///< empty: the scenario's
+  std::string path;     ///< of the sums over neighbours; empty: the scenario's
   std::string initial;  ///< path as the caller's folder has it; empty: the scenario's
 };
 
@@ -27,6 +28,9 @@ struct ScenarioOptions {
 void add_parameter_options(CLI::App& command, ScenarioOptions& options);
 /// The same and what only a run has.
 void add_scenario_options(CLI::App& command, ScenarioOptions& options);
+
+/// --index and --path: how neighbours are found and summed.
+void add_search_options(CLI::App& command, std::string& index, std::string& path);
 
 /// The scenario with all options applied, checked. Warnings go to standard error.
 sturnus::Result<sturnus::ScenarioDef> effective_scenario(const ScenarioOptions& options);

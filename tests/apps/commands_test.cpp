@@ -10,7 +10,7 @@ namespace {
 
 class Commands : public ProgramTest {};
 
-const Words all_commands = {"run", "render", "list", "show", "keys", "new", "check"};
+const Words all_commands = {"run", "render", "list", "show", "keys", "new", "check", "bench"};
 
 TEST_F(Commands, WithoutWordsThereAreThreeThingsToTry) {
   const Ended ended = run_well({});
@@ -47,7 +47,8 @@ TEST_F(Commands, HelpShowsEveryOption) {
   const std::string run_help = run_well({"run", "--help"}).out;
   for (const char* option :
        {"--steps", "--count", "--seed", "--threads", "--index all-pairs|grid|tree", "--set key=value",
-        "--initial", "--first-step", "--final", "--measures", "--plot", "-o,", "--json", "--quiet"}) {
+        "--initial", "--first-step", "--final", "--measures", "--plot", "-o,", "--json", "--quiet",
+        "--path auto|dense|sparse", "--isa best|scalar|sse4|avx2|avx512|neon"}) {
     EXPECT_SAYS(run_help, option);
   }
   const std::string render_help = run_well({"render", "--help"}).out;
