@@ -190,10 +190,10 @@ void add_totals(Totals& to, const Totals& from) {
 
 template <int D>
 void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers,
-                       std::vector<Totals>& totals) {
+                       std::vector<Totals>& parts, std::vector<Totals>& totals) {
   constexpr std::size_t block_size = 4096;
   const std::size_t blocks = (boids.count + block_size - 1) / block_size;
-  std::vector<Totals> parts(blocks * flocks);
+  parts.assign(blocks * flocks, {});
   workers.for_ranges(blocks, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t block = begin; block < end; ++block) {
       const std::size_t last = std::min(boids.count, (block + 1) * block_size);
@@ -280,8 +280,10 @@ void SumBlock::spoil() {
   std::memset(counts_.data(), 0xff, counts_.size() * sizeof(std::uint32_t));
 }
 
-template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
-template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&);
+template void population_totals<2>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&,
+                                   std::vector<Totals>&);
+template void population_totals<3>(const Boids&, std::size_t, const Workers&, std::vector<Totals>&,
+                                   std::vector<Totals>&);
 template bool is_few<2>(std::size_t, const SumPass&);
 template bool is_few<3>(std::size_t, const SumPass&);
 template void sum_batch<2>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,

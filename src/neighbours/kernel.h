@@ -87,10 +87,10 @@ template <int D>
 Summed summed_by(const NeighbourRow& row, const Boids& boids);
 
 /// Sums of the whole population, flock by flock. Fixed blocks in storage order, so that no thread count
-/// matters.
+/// matters; `parts` is working memory.
 template <int D>
 void population_totals(const Boids& boids, std::size_t flocks, const Workers& workers,
-                       std::vector<Totals>& totals);
+                       std::vector<Totals>& parts, std::vector<Totals>& totals);
 
 class Passes;
 struct SumPass;

@@ -157,7 +157,7 @@ void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* wat
   prepare(model, state, scratch, workers);
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
   const Boids boids = boids_of(model, state, scratch);
-  if (model.uses_totals) population_totals<D>(boids, model.flocks.size(), workers, scratch.totals);
+  if (model.uses_totals) population_totals<D>(boids, model.flocks.size(), workers, scratch.total_parts, scratch.totals);
   const NeighbourQuestion question{
       &model, scratch.is_indexed ? scratch.index.get() : nullptr, image_of(model), scratch.totals, state.step, &scratch.passes};
   find_batches(state, scratch);

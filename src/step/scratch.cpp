@@ -29,6 +29,7 @@ void poison(Scratch& scratch) {
   spoil(scratch.spare.bytes);
   spoil(scratch.spare.floats);
   spoil(scratch.totals);
+  spoil(scratch.total_parts);
   spoil(scratch.batches);
   spoil(scratch.weights);
   for (PartScratch& part : scratch.parts) {

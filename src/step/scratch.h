@@ -24,7 +24,7 @@ struct Scratch {
   std::vector<std::uint32_t> order;  ///< where each boid stood before the index sorted them
   Spare spare;
   Columns heading;
-  std::vector<Totals> totals;
+  std::vector<Totals> totals, total_parts;
   Passes passes;
   std::vector<Span> batches;           ///< of boids that are steered at once
   std::vector<std::uint64_t> weights;  ///< of blocks of batches, added up

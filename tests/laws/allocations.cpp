@@ -83,7 +83,7 @@ std::size_t allocations_of_a_step(const Case& one, int threads) {
   ScenarioDef scenario = take(load_scenario(one.scenario));
   for (const auto& [key, value] : one.changes) set(scenario, key, value);
   Simulation simulation = start(scenario, threads);
-  simulation.run(20);
+  simulation.run(60);  // what grows with the densest place has grown
   count = 0;
   is_counting = true;
   for (int step = 0; step < 10; ++step) simulation.step();

@@ -170,9 +170,9 @@ TEST(PopulationTotals, AreTheSumsOfEveryFlockForAnyThreadCount) {
               static_cast<std::uint8_t>(i % 3));
   }
   crowd.hidden[4] = 1;
-  std::vector<Totals> one, eight;
-  population_totals<2>(crowd.boids(), 3, Workers(1), one);
-  population_totals<2>(crowd.boids(), 3, Workers(8), eight);
+  std::vector<Totals> parts, one, eight;
+  population_totals<2>(crowd.boids(), 3, Workers(1), parts, one);
+  population_totals<2>(crowd.boids(), 3, Workers(8), parts, eight);
   double count = 0, x = 0;
   for (std::size_t i = 0; i < 10000; ++i) {
     if (i == 4 || i % 3 != 1) continue;
@@ -189,8 +189,8 @@ TEST(PopulationTotals, AreTheSumsOfEveryFlockForAnyThreadCount) {
 
 TEST(WholePopulation, IsTheTotalsMinusOneself) {
   const Crowd crowd = disc(50);
-  std::vector<Totals> totals;
-  population_totals<2>(crowd.boids(), 1, Workers(1), totals);
+  std::vector<Totals> parts, totals;
+  population_totals<2>(crowd.boids(), 1, Workers(1), parts, totals);
   for (const Quantity quantity : {Quantity::offset, Quantity::velocity}) {
     NeighbourRow whole;
     whole.whole_population = true;
