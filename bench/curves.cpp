@@ -24,9 +24,9 @@ Json alone(const sturnus::ScenarioDef& def, Effort effort) {
   return out;
 }
 
-void print(const Json& row, const char* what, double value) {
-  say("%dD %9lld boids  %s %-8g %8.1f ns a boid  %9.3f ms a step  hash %s", row["dimensions"].get<int>(),
-      row["boids"].get<long long>(), what, value, row["ns_per_boid"]["median"].get<double>(),
+void print(const Json& row, const std::string& what) {
+  say("%dD %9lld boids  %-8s %8.1f ns a boid  %9.3f ms a step  hash %s", row["dimensions"].get<int>(),
+      row["boids"].get<long long>(), what.c_str(), row["ns_per_boid"]["median"].get<double>(),
       row["ms_per_step"]["median"].get<double>(), row["hash"].get<std::string>().c_str());
 }
 
@@ -61,7 +61,7 @@ Json on_each_instruction_set(int dimensions, std::int64_t boids, Effort effort) 
     row.update(timing(contenders[i].seconds, boids, 1));
     row["step"] = simulations[i].step_number();
     row["hash"] = hex(simulations[i].hash());
-    print(row, contenders[i].name.c_str(), 0);
+    print(row, contenders[i].name);
     rows.push_back(row);
   }
   return rows;
@@ -76,7 +76,7 @@ Json measure_sizes(Effort effort) {
   for (const int dimensions : {2, 3}) {
     for (const std::int64_t boids : sizes) {
       out.push_back(alone(base_case(dimensions, boids), effort));
-      print(out.back(), "k", 20);
+      print(out.back(), "k 20");
     }
   }
   return out;
@@ -90,7 +90,7 @@ Json measure_neighbours(Effort effort) {
       reach_neighbours(def, static_cast<double>(neighbours), 0.5);
       Json row = alone(def, effort);
       row["neighbours"] = neighbours;
-      print(row, "k", static_cast<double>(neighbours));
+      print(row, "k " + std::to_string(neighbours));
       out.push_back(row);
     }
   }

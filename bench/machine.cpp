@@ -1,7 +1,6 @@
 // The machine that measured, and what the programs were compiled with.
 #include <sturnus/isa.h>
 #include <sturnus/version.h>
-#include <unistd.h>
 
 #include <ctime>
 #include <fstream>
@@ -20,6 +19,24 @@ std::string processor() {
   return "unknown";
 }
 
+std::string first_word(const std::string& path) {
+  std::ifstream file(path);
+  std::string word;
+  file >> word;
+  return word;
+}
+
+// Sizes of the caches that hold data, as the kernel knows them: {"L1": "48K", ...}.
+Json caches() {
+  Json out = Json::object();
+  for (int index = 0;; ++index) {
+    const std::string folder = "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
+    const std::string level = first_word(folder + "level");
+    if (level.empty()) return out;
+    if (first_word(folder + "type") != "Instruction") out["L" + level] = first_word(folder + "size");
+  }
+}
+
 std::string date() {
   const std::time_t now = std::time(nullptr);
   char text[16];
@@ -30,14 +47,10 @@ std::string date() {
 }  // namespace
 
 Json describe_machine() {
-  const auto kilobytes = [](int name) { return sysconf(name) / 1024; };
   return {{"date", date()},
           {"processor", processor()},
           {"cores", std::thread::hardware_concurrency()},
-          {"cache_kilobytes",
-           {{"L1d", kilobytes(_SC_LEVEL1_DCACHE_SIZE)},
-            {"L2", kilobytes(_SC_LEVEL2_CACHE_SIZE)},
-            {"L3", kilobytes(_SC_LEVEL3_CACHE_SIZE)}}},
+          {"caches", caches()},
           {"instruction_set", sturnus::isa_in_use()},
           {"compiler", BENCH_COMPILER},
           {"flags", BENCH_FLAGS},

@@ -34,7 +34,7 @@ class Race {
   void run(Effort effort) {
     if (contenders_.empty()) return;
     check_first_step();
-    take_turns(contenders_, {repeats(effort), 6});
+    take_turns(contenders_, {repeats(effort), 12});
   }
 
   Json rows() const {
@@ -149,7 +149,7 @@ Json measure_dense(Effort effort) {
 
 Json measure_clumps(Effort effort) {
   constexpr double growth = 10;  // from one count to the next, for whoever looks at all pairs
-  constexpr double limit = 4;    // seconds
+  constexpr double limit = 3;    // seconds
   Json out = Json::array();
   for (const int dimensions : {2, 3}) {
     for (const Distance& distance : distances) {

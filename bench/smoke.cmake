@@ -1,5 +1,6 @@
 # Runs sturnus-yardsticks --quick and looks whether its JSON holds every case.
 # Usage: cmake -DPROGRAM=sturnus-yardsticks -DOUTPUT=file.json -P smoke.cmake
+cmake_minimum_required(VERSION 3.22)
 execute_process(COMMAND ${PROGRAM} --quick -o ${OUTPUT} RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "sturnus-yardsticks --quick ended with ${code}")
