@@ -148,6 +148,23 @@ def sizes_text(figures):
     return table(["", "boids", "ns per boid", "ms per step", "hash"], rows)
 
 
+def neighbours_text(figures):
+    rows = [[f"{row['dimensions']}D", whole(row["neighbours"]), timing(row), f"`{row['hash']}`"]
+            for row in figures["neighbours"]]
+    return table(["", "in reach", "ns per boid", "hash"], rows)
+
+
+def paths_text(rows, counted):
+    """A line for each case, with the median milliseconds of every path."""
+    lines = []
+    for key in dict.fromkeys((row["dimensions"], row["separation"], row[counted]) for row in rows):
+        both = select(rows, dimensions=key[0], separation=key[1], **{counted: key[2]})
+        spent = [only(select(both, path=path)) for path in ("sparse", "dense", "auto")]
+        lines.append([f"{key[0]}D", key[1], whole(key[2]), *("–" if row is None else number(median_ms(row)) for row in spent)])
+    return table(["", "separation", "in reach" if counted == "neighbours" else "boids", "sparse, ms", "dense, ms", "auto, ms"],
+                 lines)
+
+
 def instruction_sets_text(figures):
     rows = []
     for row in figures["instruction_sets"]:
@@ -172,12 +189,12 @@ def threads_text(figures):
 
 
 def sixty_text(figures):
-    rows = [["the project's own words, without a tree", "100 to 150", ""],
-            ["the project's own words, with a quadtree", "1000 to 5000", ""]]
+    rows = [["the project's own words, without a tree", "100 to 150", "", ""],
+            ["the project's own words, with a quadtree", "1000 to 5000", "", ""]]
     for row in figures["sixty"]:
         count = ("at least " if row["is_at_least"] else "") + whole(row["boids"])
-        rows.append([row["who"], count, number(row["ms_per_step"])])
-    return table(["", "boids", "ms per step"], rows)
+        rows.append([row["who"], count, number(row["ms_per_step"]), f"`{row['hash']}`"])
+    return table(["", "boids", "ms per step", "hash"], rows)
 
 
 def page_text(figures):
@@ -194,7 +211,8 @@ The base case is the scenarios `bench-2d` and `bench-3d`: float32, a wrapped spa
 separation 1/d within r/2, alignment and cohesion within r, acceleration cap, speed limits, semi-implicit Euler. The *whole* step
 counts, with sorting and motion. Times are CPU time of the one thread (`CLOCK_THREAD_CPUTIME_ID`); contenders take turns in one
 process, so that a slow minute of the machine hits all of them. "3 / 4" is the least and the median of the turns, at least five
-of them except where a turn takes seconds; verdicts go by medians. A hash names the state that the steps led to.
+of them except where a turn takes seconds; verdicts go by medians. A hash names the state that the steps led to; the program prints
+one beside every figure, also those that are only drawn here.
 
 A speed counts only beside the same result: every yardstick begins with our boids, and after one step velocities and places have to agree
 within a ten-thousandth for all but one boid in a thousand (a neighbour just on the rim may count for one and not for
@@ -215,6 +233,7 @@ the other), or the program fails. The same comparison has to tell a step from no
 {sizes_text(figures)}
 ## The number of neighbours
 
+{neighbours_text(figures)}
 ![Time per boid against the number of neighbours in reach](images/speed-neighbours.png)
 
 ## Instruction sets
@@ -236,13 +255,15 @@ place and one boid in a hundred astray.
 ## Dense flocks
 
 100 000 boids all over the space, many in reach: neighbours one by one (sparse), those well inside a radius together
-(dense), and as the engine chooses (auto).
+(dense), and as the engine chooses (auto). All three have to make the same step, as the yardsticks do.
 
+{paths_text(figures['dense'], 'neighbours')}
 ![Milliseconds per step against the number of neighbours in reach](images/speed-dense.png)
 
 The whole flock inside one radius. Separation is linear, or 1/d within a radius that holds 50 boids, or 1/d of all boids, which is a true
 sum over pairs. A line ends where a step would take seconds.
 
+{paths_text(figures['clumps'], 'boids')}
 ![Milliseconds per step for clumps](images/speed-clumps.png)
 
 ## How many boids at 60 steps a second
