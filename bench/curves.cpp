@@ -46,7 +46,7 @@ Json on_each_instruction_set(int dimensions, std::int64_t boids, Effort effort) 
     simulations.push_back(opened(base_case(dimensions, boids)));
     sturnus::Simulation* mine = &simulations.back();
     mine->step();
-    contenders.push_back({name, [mine] { mine->step(); }, [isa = isa] { sturnus::use_isa(isa); }});
+    contenders.push_back({name, [mine] { mine->step(); }, [chosen = isa] { sturnus::use_isa(chosen); }});
   }
   take_turns(contenders, {repeats(effort), 20});
   sturnus::use_isa(sturnus::Isa::best);

@@ -69,6 +69,9 @@ const char* name_of(Effort effort) {
 }
 
 void measure(const Words& words) {
+  if (!words.output.empty()) {
+    if (const auto possible = sturnus::check_file(words.output); !possible) throw Failure{possible.error()};
+  }
   Json out = {{"effort", name_of(words.effort)}, {"machine", describe_machine()}};
   const double begun = wall_seconds();
   for (const Section& section : sections) {

@@ -47,10 +47,10 @@ class Race {
   /// `growth`.
   std::vector<std::string> slow(double growth, double limit) const {
     std::vector<std::string> out;
-    for (const auto& [name, path] : paths) {
+    for (const auto& path : paths) {
       const auto mine = std::find_if(contenders_.begin(), contenders_.end(),
-                                     [&, name = name](const Contender& one) { return one.name == name; });
-      if (mine == contenders_.end() || least(mine->seconds) * growth > limit) out.emplace_back(name);
+                                     [&](const Contender& one) { return one.name == path.first; });
+      if (mine == contenders_.end() || least(mine->seconds) * growth > limit) out.emplace_back(path.first);
     }
     return out;
   }

@@ -35,18 +35,15 @@ double median_of_steps(const std::function<void()>& step, Effort effort) {
 }
 
 // The flock after its first second, when it has begun to form groups.
-sturnus::Simulation settled(std::int64_t boids, sturnus::IndexKind index, int threads, Effort effort) {
-  auto def = quadtree_case(boids);
-  auto simulation = opened(def, threads);
+sturnus::Simulation settled(std::int64_t boids, const char* index, int threads, Effort effort) {
+  auto simulation = opened(quadtree_case(boids), threads);
   simulation.run(effort == Effort::quick ? 2 : 60);
-  auto kind = sturnus::SetParameter{"index.kind", index == sturnus::IndexKind::grid   ? "grid"
-                                                  : index == sturnus::IndexKind::tree ? "tree"
-                                                                                      : "all-pairs"};
-  if (const auto done = simulation.push(kind); !done) throw Failure{done.error()};
+  if (const auto done = simulation.push(sturnus::SetParameter{"index.kind", index}); !done)
+    throw Failure{done.error()};
   return simulation;
 }
 
-Stepper ours(const char* name, sturnus::IndexKind index, int threads) {
+Stepper ours(const char* name, const char* index, int threads) {
   return {name, [=](std::int64_t boids, Effort effort) {
             auto simulation = settled(boids, index, threads, effort);
             simulation.step();
@@ -57,7 +54,7 @@ Stepper ours(const char* name, sturnus::IndexKind index, int threads) {
 
 Stepper yardstick(const char* name, std::unique_ptr<Yardstick> (*make)(const Numbers&, const Flock&)) {
   return {name, [=](std::int64_t boids, Effort effort) {
-            auto simulation = settled(boids, sturnus::IndexKind::grid, 1, effort);
+            auto simulation = settled(boids, "grid", 1, effort);
             const Numbers numbers = numbers_of(simulation.scenario());
             const Flock start = flock_of(simulation.view());
             const auto theirs = make(numbers, start);
@@ -97,13 +94,12 @@ Json largest(const Stepper& stepper, Effort effort) {
 }  // namespace
 
 Json measure_sixty(Effort effort) {
-  using sturnus::IndexKind;
   Json out = Json::array();
   for (const Stepper& stepper :
        {yardstick("all pairs, array of structs", make_naive),
-        yardstick("pointer quadtree", make_pointer_tree), ours("sturnus, all pairs", IndexKind::all_pairs, 1),
-        ours("sturnus, tree", IndexKind::tree, 1), ours("sturnus, grid", IndexKind::grid, 1),
-        ours("sturnus, grid, all cores", IndexKind::grid, 0)}) {
+        yardstick("pointer quadtree", make_pointer_tree), ours("sturnus, all pairs", "all-pairs", 1),
+        ours("sturnus, tree", "tree", 1), ours("sturnus, grid", "grid", 1),
+        ours("sturnus, grid, all cores", "grid", 0)}) {
     out.push_back(largest(stepper, effort));
   }
   return out;
