@@ -1,0 +1,62 @@
+// The machine that measured, and what the programs were compiled with.
+#include <sturnus/isa.h>
+#include <sturnus/version.h>
+
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "sections.h"
+
+namespace bench {
+namespace {
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string first_word(const std::string& path) {
+  std::ifstream file(path);
+  std::string word;
+  file >> word;
+  return word;
+}
+
+// Sizes of the caches that hold data, as the kernel knows them: {"L1": "48K", ...}.
+Json caches() {
+  Json out = Json::object();
+  for (int index = 0;; ++index) {
+    const std::string folder = "/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
+    const std::string level = first_word(folder + "level");
+    if (level.empty()) return out;
+    if (first_word(folder + "type") != "Instruction") out["L" + level] = first_word(folder + "size");
+  }
+}
+
+std::string date() {
+  const std::time_t now = std::time(nullptr);
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
+}  // namespace
+
+Json describe_machine() {
+  return {{"date", date()},
+          {"processor", processor()},
+          {"cores", std::thread::hardware_concurrency()},
+          {"caches", caches()},
+          {"instruction_set", sturnus::isa_in_use()},
+          {"compiler", BENCH_COMPILER},
+          {"flags", BENCH_FLAGS},
+          {"flags_of_all_pairs", BENCH_NAIVE_FLAGS},
+          {"nanoflann", BENCH_NANOFLANN},
+          {"version", sturnus::version}};
+}
+
+}  // namespace bench
