@@ -34,11 +34,13 @@ struct Axis {
 // One or two runs of cells: a question may reach over the seam of a wrapped space.
 struct Runs {
   std::int64_t first[2], last[2];
+  Seam seam[2];
   int count = 0;
-  void add(std::int64_t from, std::int64_t to) {
+  void add(std::int64_t from, std::int64_t to, Seam over) {
     if (from > to) return;
     first[count] = from;
-    last[count++] = to;
+    last[count] = to;
+    seam[count++] = over;
   }
 };
 
@@ -61,11 +63,12 @@ class Grid : public NeighbourIndex {
     const double far = padded_reach(cloud_, reach);
     const Runs x = runs(0, from[0] - far, to[0] + far);
     const Runs y = runs(1, from[1] - far, to[1] + far);
-    const Runs z = cloud_.dimensions == 3 ? runs(2, from[2] - far, to[2] + far) : Runs{{0, 0}, {0, 0}, 1};
+    const Runs z = cloud_.dimensions == 3 ? runs(2, from[2] - far, to[2] + far) : Runs{{0, 0}, {0, 0}, {}, 1};
     for (int i = 0; i < z.count; ++i) {
       for (std::int64_t layer = z.first[i]; layer <= z.last[i]; ++layer) {
         for (int j = 0; j < y.count; ++j) {
-          for (std::int64_t row = y.first[j]; row <= y.last[j]; ++row) add_row(layer, row, x, spans);
+          for (std::int64_t row = y.first[j]; row <= y.last[j]; ++row)
+            add_row(layer, row, x, {Seam::none, y.seam[j], z.seam[i]}, spans);
         }
       }
     }
@@ -304,19 +307,19 @@ class Grid : public NeighbourIndex {
     const Axis& cells = axes_[axis];
     Runs out;
     if (!cloud_.wraps) {
-      out.add(cells.cell(static_cast<float>(from)), cells.cell(static_cast<float>(to)));
+      out.add(cells.cell(static_cast<float>(from)), cells.cell(static_cast<float>(to)), Seam::none);
       return out;
     }
     const std::int64_t low = cells.unbounded_cell(from);
     const std::int64_t high = cells.unbounded_cell(to);
     if (high - low + 1 >= cells.cells) {
-      out.add(0, cells.cells - 1);
+      out.add(0, cells.cells - 1, Seam::unknown);
     } else if (low < 0) {
-      out.add(low + cells.cells, cells.cells - 1);
-      out.add(0, high);
+      out.add(low + cells.cells, cells.cells - 1, Seam::low);
+      out.add(0, high, Seam::none);
     } else {
-      out.add(low, std::min<std::int64_t>(high, cells.cells - 1));
-      out.add(0, high - cells.cells);
+      out.add(low, std::min<std::int64_t>(high, cells.cells - 1), Seam::none);
+      out.add(0, high - cells.cells, Seam::high);
     }
     return out;
   }
@@ -406,13 +409,14 @@ class Grid : public NeighbourIndex {
   struct Place {
     std::int64_t cell;
     float shift;
+    Seam seam;
   };
   Place place_of(std::size_t axis, std::int64_t cell) const {
     const std::int64_t cells = axes_[axis].cells;
     const float size = cloud_.max[axis] - cloud_.min[axis];
-    if (cell < 0) return {cell + cells, -size};
-    if (cell >= cells) return {cell - cells, size};
-    return {cell, 0};
+    if (cell < 0) return {cell + cells, -size, Seam::low};
+    if (cell >= cells) return {cell - cells, size, Seam::high};
+    return {cell, 0, Seam::none};
   }
 
   void add_cells(std::int64_t layer, std::int64_t row, Run run, bool is_whole, RingParts& parts) const {
@@ -424,18 +428,20 @@ class Grid : public NeighbourIndex {
       const std::int64_t count = std::min(run.last - run.first + 1, axes_[0].cells - x.cell);
       const auto first = static_cast<std::uint32_t>(first_of_row + x.cell);
       const auto last = first + static_cast<std::uint32_t>(count);
-      const Span span{begin_[first], begin_[last]};
+      const Span span{begin_[first], begin_[last], {x.seam, y.seam, z.seam}};
       if (span.begin < span.end && is_whole) parts.whole.push_back({first, last, {x.shift, y.shift, z.shift}});
       if (span.begin < span.end && !is_whole) parts.edge.push_back(span);
       run.first += count;
     }
   }
 
-  void add_row(std::int64_t layer, std::int64_t row, const Runs& x, std::vector<Span>& spans) const {
+  void add_row(std::int64_t layer, std::int64_t row, const Runs& x, std::array<Seam, 3> seam,
+               std::vector<Span>& spans) const {
     const std::int64_t first = (layer * axes_[1].cells + row) * axes_[0].cells;
     for (int i = 0; i < x.count; ++i) {
+      seam[0] = x.seam[i];
       const Span span{begin_[static_cast<std::size_t>(first + x.first[i])],
-                      begin_[static_cast<std::size_t>(first + x.last[i] + 1)]};
+                      begin_[static_cast<std::size_t>(first + x.last[i] + 1)], seam};
       if (span.begin < span.end) spans.push_back(span);
     }
   }

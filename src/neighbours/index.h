@@ -28,9 +28,14 @@ struct Cloud {
   int fineness = 1;                   ///< grid: rows of cells in one reach; more for crowds
 };
 
-/// Boids [begin, end) of the order.
+/// Over which end of a wrapped space somebody is seen, on one axis.
+enum class Seam : std::uint8_t { none, low, high, unknown };
+
+/// Boids [begin, end) of the order. In a space that wraps all that matter of them are seen from the box that
+/// was asked for as `seam` says.
 struct Span {
   std::uint32_t begin, end;
+  std::array<Seam, 3> seam = {Seam::unknown, Seam::unknown, Seam::unknown};
 };
 
 /// Cells [first, last) of one row, seen from over the seam of the space where the shift is not zero.

@@ -33,13 +33,19 @@ struct Seen {
   Lanes distance_squared;
 };
 
-template <int D, bool wraps>
-HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, std::size_t candidate) {
+// Where the space wraps: the nearest image by comparison, as the plain kernel finds it; or by one subtraction,
+// where the span says over which end its boids are seen. For all who are near both give the same bits.
+enum class Wraps { no, by_span, by_comparison };
+
+template <int D, Wraps wraps>
+HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, const Lanes* shift,
+                        std::size_t candidate) {
   const Floats d;
   Seen<D> seen;
   for (std::size_t axis = 0; axis < D; ++axis) {
     Lanes o = hn::Sub(hn::Set(d, batch.boids->position[axis][candidate]), targets.position[axis]);
-    if (wraps) {
+    if (wraps == Wraps::by_span) o = hn::Sub(o, shift[axis]);
+    if (wraps == Wraps::by_comparison) {
       const Lanes half = hn::Set(d, batch.image.half[axis]);
       const Lanes size = hn::Set(d, batch.image.size[axis]);
       const auto above = hn::Gt(o, half);
@@ -205,7 +211,18 @@ struct Walk {
   const Targets<D> targets;
   const Filters& filters;
   Lanes outer[ThePlan::filters];
+  Lanes shift[3];  ///< of the span at hand
 };
+
+template <int D, class ThePlan>
+HWY_INLINE void SetShift(const Span& span, Walk<D, ThePlan>& walk) {
+  const Floats d;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const float size = walk.batch.image.size[axis];
+    const Seam seam = span.seam[axis];
+    walk.shift[axis] = hn::Set(d, seam == Seam::low ? size : seam == Seam::high ? -size : 0.0f);
+  }
+}
 
 // One filter of a plan, written out for each: a loop here would keep its arrays in memory.
 template <int D, bool with_self, class ThePlan, int f>
@@ -235,10 +252,10 @@ HWY_INLINE void AddRow(const Walk<D, ThePlan>& walk, const Seen<D>& seen, const 
   }
 }
 
-template <int D, bool wraps, bool few, bool with_self, class ThePlan>
+template <int D, Wraps wraps, bool few, bool with_self, class ThePlan>
 HWY_INLINE void WalkRange(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end, Sums& sums) {
   for (std::size_t candidate = begin; candidate < end; ++candidate) {
-    const Seen<D> seen = Look<D, wraps>(walk.targets, walk.batch, candidate);
+    const Seen<D> seen = Look<D, wraps>(walk.targets, walk.batch, walk.shift, candidate);
     Lanes_mask masks[ThePlan::filters];
     Pass<D, with_self, ThePlan, 0>(walk, seen, candidate, masks, sums.count);
     Pass<D, with_self, ThePlan, 1>(walk, seen, candidate, masks, sums.count);
@@ -250,7 +267,7 @@ HWY_INLINE void WalkRange(const Walk<D, ThePlan>& walk, std::size_t begin, std::
 }
 
 // Candidates [begin, end), among whom may be the targets themselves.
-template <int D, bool wraps, bool few, class ThePlan>
+template <int D, Wraps wraps, bool few, class ThePlan>
 HWY_INLINE void WalkSpan(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end, Sums& sums) {
   const std::size_t self = std::clamp(walk.targets.first, begin, end);
   const std::size_t others = std::clamp(walk.targets.first + width, begin, end);
@@ -269,15 +286,19 @@ HWY_INLINE void Fold(std::size_t rows, Sums& sums) {
   }
 }
 
-template <int D, bool wraps, class ThePlan>
-HWY_INLINE void WalkFew(const Walk<D, ThePlan>& walk, Sums& sums) {
-  for (const Span span : walk.batch.spans) WalkSpan<D, wraps, true, ThePlan>(walk, span.begin, span.end, sums);
+template <int D, Wraps wraps, class ThePlan>
+HWY_INLINE void WalkFew(Walk<D, ThePlan>& walk, Sums& sums) {
+  for (const Span& span : walk.batch.spans) {
+    if (wraps == Wraps::by_span) SetShift(span, walk);
+    WalkSpan<D, wraps, true, ThePlan>(walk, span.begin, span.end, sums);
+  }
 }
 
-template <int D, bool wraps, class ThePlan>
-HWY_INLINE void WalkMany(const Walk<D, ThePlan>& walk, Sums& sums) {
+template <int D, Wraps wraps, class ThePlan>
+HWY_INLINE void WalkMany(Walk<D, ThePlan>& walk, Sums& sums) {
   std::size_t left = candidates_in_float;
-  for (const Span span : walk.batch.spans) {
+  for (const Span& span : walk.batch.spans) {
+    if (wraps == Wraps::by_span) SetShift(span, walk);
     for (std::size_t at = span.begin; at < span.end;) {
       const std::size_t end = std::min<std::size_t>(span.end, at + left);
       WalkSpan<D, wraps, false, ThePlan>(walk, at, end, sums);
@@ -321,6 +342,11 @@ HWY_INLINE void StoreRow(const WideBatch& batch, std::size_t first, std::size_t 
   const Floats d;
   const hn::RebindToSigned<Floats> di;
   auto* to = reinterpret_cast<std::int32_t*>(batch.sums->count(row, first));
+  if (!batch.is_mixed) {  // the columns have room beyond the last boid
+    for (std::size_t axis = 0; axis < 3; ++axis) hn::StoreU(values[axis], d, batch.sums->value(row, axis, first));
+    hn::StoreU(count, di, to);
+    return;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis)
     hn::BlendedStore(values[axis], steered, d, batch.sums->value(row, axis, first));
   hn::BlendedStore(count, hn::RebindMask(di, steered), di, to);
@@ -354,35 +380,50 @@ HWY_INLINE void Clear(std::size_t rows, Sums& sums) {
   }
 }
 
+template <int D, Wraps wraps, class ThePlan>
+HWY_INLINE void WalkAll(Walk<D, ThePlan>& walk, Sums& sums) {
+  walk.batch.few ? WalkFew<D, wraps, ThePlan>(walk, sums) : WalkMany<D, wraps, ThePlan>(walk, sums);
+}
+
+// Whether every span says over which end of the space its boids are seen.
+HWY_INLINE bool SpansTell(std::span<const Span> spans) {
+  return std::none_of(spans.begin(), spans.end(), [](const Span& span) {
+    return std::find(span.seam.begin(), span.seam.end(), Seam::unknown) != span.seam.end();
+  });
+}
+
 template <int D, class ThePlan>
 HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   const Floats d;
+  const bool spans_tell = batch.image.wraps && SpansTell(batch.spans);
   const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
     if constexpr (ThePlan::has_options) FillFilters(batch, first, filters);
-    Walk<D, ThePlan> walk{batch, *batch.boids, Load<D>(batch, first), filters, {}};
+    Walk<D, ThePlan> walk{batch, *batch.boids, Load<D>(batch, first), filters, {}, {}};
     for (std::size_t f = 0; f < ThePlan::filters; ++f)
       walk.outer[f] = hn::Set(d, program.filters[f].outer_squared);
     Sums sums;
     Clear(ThePlan::rows, sums);
-    if (batch.image.wraps) {
-      batch.few ? WalkFew<D, true, ThePlan>(walk, sums) : WalkMany<D, true, ThePlan>(walk, sums);
+    if (!batch.image.wraps) {
+      WalkAll<D, Wraps::no, ThePlan>(walk, sums);
+    } else if (spans_tell) {
+      WalkAll<D, Wraps::by_span, ThePlan>(walk, sums);
     } else {
-      batch.few ? WalkFew<D, false, ThePlan>(walk, sums) : WalkMany<D, false, ThePlan>(walk, sums);
+      WalkAll<D, Wraps::by_comparison, ThePlan>(walk, sums);
     }
     StoreSums(batch, first, program, sums);
   }
 }
 
 // Any program, row by row: slower, since the sums pass through memory for each candidate.
-template <int D, bool wraps>
+template <int D, Wraps wraps>
 HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const Filters& filters, Sums& sums) {
   const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
   std::size_t seen_so_far = 0;
   for (const Span span : batch.spans) {
     for (std::size_t candidate = span.begin; candidate < span.end; ++candidate) {
-      const Seen<D> seen = Look<D, wraps>(targets, batch, candidate);
+      const Seen<D> seen = Look<D, wraps>(targets, batch, nullptr, candidate);
       Lanes_mask masks[WideProgram::most];
       for (std::size_t f = 0; f < program.filter_count; ++f) {
         masks[f] = Passes<D>(filters, f, targets, seen, *batch.boids, candidate);
@@ -413,9 +454,9 @@ HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
     Sums sums;
     Clear(WideProgram::most, sums);
     if (batch.image.wraps) {
-      WalkAny<D, true>(batch, targets, filters, sums);
+      WalkAny<D, Wraps::by_comparison>(batch, targets, filters, sums);
     } else {
-      WalkAny<D, false>(batch, targets, filters, sums);
+      WalkAny<D, Wraps::no>(batch, targets, filters, sums);
     }
     StoreSums(batch, first, program, sums);
   }
