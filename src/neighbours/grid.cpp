@@ -78,14 +78,17 @@ class Grid : public NeighbourIndex {
             RingParts& parts) const override {
     parts.whole.clear();
     parts.edge.clear();
-    const RingQuestion question{low, high, inner, outer, padded_reach(cloud_, outer) - double{outer}};
+    double extent = 0;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis)
+      extent = std::max(extent, std::abs(axes_[axis].edge(0)) + std::abs(axes_[axis].edge(axes_[axis].cells)));
+    const double room = padded_reach(cloud_, outer) - double{outer} + extent * 1e-6;
+    const RingQuestion question{low, high, inner, outer, room};
     const Run y = run(1, low[1], high[1], question);
     const Run z = cloud_.dimensions == 3 ? run(2, low[2], high[2], question) : Run{0, 0};
     const Run x = run(0, low[0], high[0], question);
-    if (y.last - y.first + 1 >= axes_[1].cells || z.last - z.first + 1 > axes_[2].cells ||
-        x.last - x.first + 1 >= axes_[0].cells) {
-      return spans(low, high, outer, parts.edge);
-    }
+    const bool meets_itself = y.last - y.first + 1 >= axes_[1].cells ||
+                              z.last - z.first + 1 > axes_[2].cells || x.last - x.first + 1 >= axes_[0].cells;
+    if (cloud_.wraps && meets_itself) return spans(low, high, outer, parts.edge);
     for (std::int64_t layer = z.first; layer <= z.last; ++layer) {
       for (std::int64_t row = y.first; row <= y.last; ++row) ring_row(question, layer, row, parts);
     }
@@ -93,21 +96,18 @@ class Grid : public NeighbourIndex {
 
   CellLayout layout() const override {
     return {std::span(begin_).first(begin_.size() - 1), static_cast<std::size_t>(axes_[0].cells),
-            static_cast<std::size_t>(row_count()), !cloud_.wraps};
+            static_cast<std::size_t>(row_count()), has_strays_};
   }
 
   // From the boids that share a cell.
   double crowding() const override {
     double pairs = 0;
-    for (std::size_t cell = 0; cell + 2 < begin_.size(); ++cell) {
-      const double count = begin_[cell + 1] - begin_[cell];
-      pairs += count * (count - 1);
-    }
+    for (const std::uint64_t part : pairs_) pairs += static_cast<double>(part);
     double cells_in_ball = cloud_.dimensions == 3 ? 4.18879 : 3.14159;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis)
       cells_in_ball *= reach_ * double{axes_[axis].cells_per_length};
     const double count = std::max<double>(1, static_cast<double>(cloud_.count));
-    return std::min(count, pairs / count * std::max(1.0, cells_in_ball));
+    return std::min(count, (pairs / count - 1) * std::max(1.0, cells_in_ball));
   }
 
   void batches(std::vector<Span>& batches) const override {
@@ -201,7 +201,8 @@ class Grid : public NeighbourIndex {
       stretch[axis] =
           cloud_.wraps ? std::array<double, 2>{cloud_.min[axis], cloud_.max[axis]} : reach_of_boids(axis);
     }
-    if (!cloud_.wraps && lay(stretch, 1) > limit) {
+    has_strays_ = !cloud_.wraps && lay(stretch, 1) > limit;
+    if (has_strays_) {
       for (std::size_t axis = 0; axis < axes; ++axis) {
         const auto most = reach_of_most(axis);
         stretch[axis] = {std::max(stretch[axis][0], most[0]), std::min(stretch[axis][1], most[1])};
@@ -271,6 +272,7 @@ class Grid : public NeighbourIndex {
   void add_up(std::size_t parts, std::size_t cells, const Workers& workers) {
     begin_.resize(cells + 1);
     sums_.assign(parts + 1, 0);
+    pairs_.assign(parts, 0);
     workers.for_ranges(parts, [&](std::size_t first, std::size_t last, int) {
       for (std::size_t range = first; range < last; ++range) {
         std::uint32_t sum = 0;
@@ -291,15 +293,19 @@ class Grid : public NeighbourIndex {
 
   void lay_out(std::size_t range, std::size_t parts, std::size_t cells) {
     std::uint32_t at = sums_[range];
+    std::uint64_t pairs = 0;
     for (std::size_t cell = cells * range / parts; cell < cells * (range + 1) / parts; ++cell) {
       begin_[cell] = at;
+      const std::uint32_t first = at;
       for (std::size_t part = 0; part < parts; ++part) {
         std::uint32_t& counted = counts_[part * cells + cell];
         const std::uint32_t count = counted;
         counted = at;
         at += count;
       }
+      if (cell + 1 < cells) pairs += std::uint64_t{at - first} * (at - first);  // not those of the hidden
     }
+    pairs_[range] = pairs;
   }
 
   // The cells between two places, which may lie outside the space.
@@ -348,12 +354,14 @@ class Grid : public NeighbourIndex {
   }
 
   // The cells that lie between two places with both their ends; none where the places are crossed. Border
-  // cells are endless where space does not wrap.
+  // cells are endless where some boids are beyond; where nobody is, their far ends do not matter.
   Run inside(double from, double to) const {
     if (!(from <= to)) return {1, 0};
     Run run = between(0, from, to);
-    ++run.first;
-    --run.last;
+    const std::int64_t last = axes_[0].cells - 1;
+    const bool reaches_all = !cloud_.wraps && !has_strays_;
+    if (!reaches_all || run.first > 0 || from > axes_[0].edge(0)) ++run.first;
+    if (!reaches_all || run.last < last || to < axes_[0].edge(last + 1)) --run.last;
     return run;
   }
 
@@ -362,8 +370,8 @@ class Grid : public NeighbourIndex {
     double least = 0, most = 0;
   };
   Distances distances(std::size_t axis, std::int64_t row, double low, double high) const {
-    const bool is_first = !cloud_.wraps && row == 0;
-    const bool is_last = !cloud_.wraps && row == axes_[axis].cells - 1;
+    const bool is_first = has_strays_ && row == 0;
+    const bool is_last = has_strays_ && row == axes_[axis].cells - 1;
     const double from = is_first ? -infinity : axes_[axis].edge(row);
     const double to = is_last ? infinity : axes_[axis].edge(row + 1);
     const double gap = std::max({0.0, from - high, low - to});
@@ -453,6 +461,8 @@ class Grid : public NeighbourIndex {
   std::vector<std::uint32_t> begin_;   ///< of each cell, and the end of the last
   std::vector<std::uint32_t> counts_;  ///< of each part, cell by cell; later where its next boid goes
   std::vector<std::uint32_t> sums_;
+  std::vector<std::uint64_t> pairs_;  ///< of boids that share a cell, themselves included, in parts
+  bool has_strays_ = false;           ///< somebody is beyond the cells at the border, and counts as in them
 };
 
 }  // namespace

@@ -25,11 +25,14 @@ bool is_plain_sum(const NeighbourRow& row) {
   return row.quantity != Quantity::offset || row.strength == Strength::grows;
 }
 
-// Whether such a row sees so many that cells pay; by measurement.
-bool is_crowded(const NeighbourRow& row, const Model& model, double crowding) {
+// Whether such a row sees so many that cells pay; by measurement. Sooner where a flock also has rows of
+// another kind, because in a crowd those cost most, and are relieved of the wider walk.
+bool is_crowded(const NeighbourRow& row, const FlockModel& flock, const Model& model, double crowding) {
   const double share = std::sqrt(double{row.outer_squared}) / double{model.reach};
   const double seen = crowding * (model.dimensions == 3 ? share * share * share : share * share);
-  return seen >= (model.dimensions == 3 ? 1000 : 350);
+  const bool is_alone = std::all_of(flock.rows.begin(), flock.rows.end(), is_plain_sum);
+  const double enough = is_alone ? 500 : 200;
+  return seen >= (model.dimensions == 3 ? 1.6 * enough : enough);
 }
 
 std::uint64_t dense_rows(const FlockModel& flock, const Model& model, double crowding) {
@@ -37,7 +40,7 @@ std::uint64_t dense_rows(const FlockModel& flock, const Model& model, double cro
   for (std::size_t r = 0; r < flock.rows.size(); ++r) {
     const NeighbourRow& row = flock.rows[r];
     if (!is_plain_sum(row) || model.index.path == SumPath::sparse) continue;
-    if (model.index.path == SumPath::dense || is_crowded(row, model, crowding)) rows |= std::uint64_t{1} << r;
+    if (model.index.path == SumPath::dense || is_crowded(row, flock, model, crowding)) rows |= std::uint64_t{1} << r;
   }
   return rows;
 }
