@@ -2,6 +2,7 @@
 #include <sturnus/isa.h>
 #include <sturnus/version.h>
 
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <thread>
@@ -37,6 +38,12 @@ Json caches() {
   }
 }
 
+// How many programs wanted a core in the last minute; figures from a busy machine are to be known as such.
+double load() {
+  double out = 0;
+  return getloadavg(&out, 1) == 1 ? out : 0;
+}
+
 std::string date() {
   const std::time_t now = std::time(nullptr);
   char text[16];
@@ -51,6 +58,7 @@ Json describe_machine() {
           {"processor", processor()},
           {"cores", std::thread::hardware_concurrency()},
           {"caches", caches()},
+          {"load_before", load()},
           {"instruction_set", sturnus::isa_in_use()},
           {"compiler", BENCH_COMPILER},
           {"flags", BENCH_FLAGS},

@@ -81,6 +81,7 @@ def machine_text(machine):
     return table(["", ""], [
         ["date", machine["date"]],
         ["processor", f"{machine['processor']}, {machine['cores']} cores, {caches}"],
+        ["load before the run", f"{machine['load_before']:.1f}; more than a few tenths means that others were at work"],
         ["instruction set", machine["instruction_set"]],
         ["compiler", machine["compiler"]],
         ["flags of the engine and the yardsticks", f"`{machine['flags']}`"],
@@ -269,7 +270,7 @@ sum over pairs. A line ends where a step would take seconds.
 ## How many boids at 60 steps a second
 
 The rules and the world of the scenario `quadtree` without its noise, which no two programs draw alike, after a second of flocking; wall
-time of a step, without drawing. The project that the scenario comes from drew its boids too, on its own machine, so its
+time of a step, best of ten, without drawing. The project that the scenario comes from drew its boids too, on its own machine, so its
 numbers stand beside ours as a scale and not as a contest.
 
 {sixty_text(figures)}
