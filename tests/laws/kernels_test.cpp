@@ -1,5 +1,5 @@
-// The same bits from every kernel: small worlds with one option after the other, on each instruction set and for
-// several thread counts, step by step beside the plain loop on one thread.
+// The same bits from every kernel: small worlds with one option after the other, on each instruction set and
+// for several thread counts, step by step beside the plain loop on one thread.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -10,8 +10,8 @@
 namespace sturnus::test {
 namespace {
 
-constexpr NamedIsa every_isa[] = {{Isa::plain, "plain"},   {Isa::best, "best"},     {Isa::sse4, "sse4"},
-                                  {Isa::avx2, "avx2"},     {Isa::avx512, "avx512"}, {Isa::neon, "neon"}};
+constexpr NamedIsa every_isa[] = {{Isa::plain, "plain"}, {Isa::best, "best"},     {Isa::sse4, "sse4"},
+                                  {Isa::avx2, "avx2"},   {Isa::avx512, "avx512"}, {Isa::neon, "neon"}};
 
 ScenarioDef shipped(const std::string& name, std::int64_t count) {
   for (const ShippedScenario& one : shipped_scenarios()) {
@@ -76,10 +76,18 @@ void headings(ScenarioDef&, FlockDef& flock) {
   flock.alignment.front().match = Match::heading;
   flock.alignment.push_back({.weight = 0.02, .match = Match::heading, .relative = false, .count_self = true});
 }
-void colours(ScenarioDef&, FlockDef& flock) { flock.colour = {"random", 0.2, 0.05, {Whose::Kind::all, {}}}; }
-void noise(ScenarioDef&, FlockDef& flock) { flock.noise = Noise{.acceleration = 0.1}; }
-void random_turns(ScenarioDef&, FlockDef& flock) { flock.noise = Noise{.acceleration = 0.1, .turn = 20}; }
-void wander(ScenarioDef&, FlockDef& flock) { flock.wander = Wander{}; }
+void colours(ScenarioDef&, FlockDef& flock) {
+  flock.colour = {"random", 0.2, 0.05, {Whose::Kind::all, {}}};
+}
+void noise(ScenarioDef&, FlockDef& flock) {
+  flock.noise = Noise{.acceleration = 0.1};
+}
+void random_turns(ScenarioDef&, FlockDef& flock) {
+  flock.noise = Noise{.acceleration = 0.1, .turn = 20};
+}
+void wander(ScenarioDef&, FlockDef& flock) {
+  flock.wander = Wander{};
+}
 void turn(ScenarioDef& scenario, FlockDef& flock) {
   scenario.space.boundary = {BoundaryKind::turn, {20}, 0.3};
   flock.cruise = Cruise{};
@@ -97,7 +105,9 @@ void budget(ScenarioDef&, FlockDef& flock) {
   flock.arbitration = Arbitration::budget;
   flock.cohesion.front().priority = 2;
 }
-void first(ScenarioDef&, FlockDef& flock) { flock.arbitration = Arbitration::first; }
+void first(ScenarioDef&, FlockDef& flock) {
+  flock.arbitration = Arbitration::first;
+}
 void views(ScenarioDef&, FlockDef& flock) {
   flock.field_of_view = 250;
   flock.cohesion.front().field_of_view = 90;
@@ -111,7 +121,9 @@ void strengths(ScenarioDef&, FlockDef& flock) {
   flock.separation = {{.strength = Strength::constant}, {.radius = 3, .strength = Strength::grows}};
   flock.cohesion = {{.strength = Strength::fades}, {.combine = Combine::sum, .count_self = true}};
 }
-void sampled(ScenarioDef&, FlockDef& flock) { flock.cohesion.front().sample = 0.4; }
+void sampled(ScenarioDef&, FlockDef& flock) {
+  flock.cohesion.front().sample = 0.4;
+}
 void many_rows(ScenarioDef& scenario, FlockDef& flock) {
   flock.cohesion.assign(11, {.weight = 0.001, .radius = 10});
   scenario.index.path = SumPath::dense;
@@ -119,8 +131,12 @@ void many_rows(ScenarioDef& scenario, FlockDef& flock) {
 void explicit_steps(ScenarioDef& scenario, FlockDef&) {
   scenario.time = {0.3, Integrator::explicit_euler};
 }
-void tree(ScenarioDef& scenario, FlockDef&) { scenario.index.kind = IndexKind::tree; }
-void all_pairs(ScenarioDef& scenario, FlockDef&) { scenario.index.kind = IndexKind::all_pairs; }
+void tree(ScenarioDef& scenario, FlockDef&) {
+  scenario.index.kind = IndexKind::tree;
+}
+void all_pairs(ScenarioDef& scenario, FlockDef&) {
+  scenario.index.kind = IndexKind::all_pairs;
+}
 
 const World every_world[] = {
     {"Bench2D", [](std::int64_t n) { return shipped("bench-2d", n); }},
@@ -159,7 +175,9 @@ const World every_world[] = {
 };
 
 /// For the names of the tests.
-void PrintTo(const World& world, std::ostream* out) { *out << world.name; }
+void PrintTo(const World& world, std::ostream* out) {
+  *out << world.name;
+}
 
 class Kernels : public testing::TestWithParam<std::tuple<World, NamedIsa>> {
  protected:
@@ -185,8 +203,12 @@ class Kernels : public testing::TestWithParam<std::tuple<World, NamedIsa>> {
 
 class FullKernels : public Kernels {};
 
-TEST_P(Kernels, GiveTheBitsOfThePlainLoop) { run_beside_the_plain_loop(1000, 8); }
-TEST_P(FullKernels, GiveTheBitsOfThePlainLoop) { run_beside_the_plain_loop(3000, 20); }
+TEST_P(Kernels, GiveTheBitsOfThePlainLoop) {
+  run_beside_the_plain_loop(1000, 8);
+}
+TEST_P(FullKernels, GiveTheBitsOfThePlainLoop) {
+  run_beside_the_plain_loop(3000, 20);
+}
 
 std::string name_of(const testing::TestParamInfo<Kernels::ParamType>& info) {
   return std::string(std::get<0>(info.param).name) + "_" + std::get<1>(info.param).name;

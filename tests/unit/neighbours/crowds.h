@@ -99,7 +99,8 @@ inline void place_boids(Gathering kind, int count, Dice& dice, RandomWorld& worl
   // A crowd in a wrapped space may stand over its corner.
   const bool on_the_seam = dice.below(2) == 0;
   for (std::size_t axis = 0; axis < world.axes(); ++axis)
-    middle[axis] = world.min[axis] + (world.max[axis] - world.min[axis]) * (on_the_seam ? 0.0f : dice.share());
+    middle[axis] =
+        world.min[axis] + (world.max[axis] - world.min[axis]) * (on_the_seam ? 0.0f : dice.share());
   for (int i = 0; i < count; ++i) {
     const Corner at = gathering_place(kind, world, middle, dice);
     for (std::size_t axis = 0; axis < world.axes(); ++axis) {
@@ -161,15 +162,18 @@ inline NeighbourRow crowd_row(Quantity quantity, float reach, std::uint64_t floc
   const float inner = outer * *rc::gen::element(0.0f, 0.0f, 0.0f, 0.4f);
   row.outer_squared = outer * outer;
   row.inner_squared = inner * inner;
-  if (*rc::gen::arbitrary<bool>()) row.outer_squared = std::nextafter(row.outer_squared, FlockModel::infinity_f);
-  row.flocks = *rc::gen::inRange<std::uint64_t>(0, 4) == 0 ? *rc::gen::inRange<std::uint64_t>(0, flocks + 1) : flocks;
+  if (*rc::gen::arbitrary<bool>())
+    row.outer_squared = std::nextafter(row.outer_squared, FlockModel::infinity_f);
+  row.flocks =
+      *rc::gen::inRange<std::uint64_t>(0, 4) == 0 ? *rc::gen::inRange<std::uint64_t>(0, flocks + 1) : flocks;
   return row;
 }
 
 /// A row of each quantity, and sometimes one that cannot be summed by cells.
 inline FlockModel crowd_flock(float reach, std::uint64_t flocks) {
   FlockModel flock;
-  for (const Quantity quantity : {Quantity::offset, Quantity::velocity, Quantity::heading, Quantity::colour}) {
+  for (const Quantity quantity :
+       {Quantity::offset, Quantity::velocity, Quantity::heading, Quantity::colour}) {
     if (*rc::gen::inRange(0, 3) != 0) flock.rows.push_back(crowd_row(quantity, reach, flocks));
   }
   if (*rc::gen::arbitrary<bool>()) {
@@ -185,7 +189,8 @@ inline FlockModel crowd_flock(float reach, std::uint64_t flocks) {
     flock.rows[1].outer_squared = flock.rows[0].outer_squared;
     flock.rows[1].flocks = flock.rows[0].flocks;
   }
-  for (const NeighbourRow& row : flock.rows) flock.reach_squared = std::max(flock.reach_squared, row.outer_squared);
+  for (const NeighbourRow& row : flock.rows)
+    flock.reach_squared = std::max(flock.reach_squared, row.outer_squared);
   return flock;
 }
 
@@ -215,7 +220,8 @@ inline void fill_columns(Dice& dice, CrowdScene& scene) {
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
       scene.heading[axis].push_back(scene.velocity[axis][i] / std::sqrt(squared));
-    scene.flock.push_back(static_cast<std::uint8_t>(dice.below(static_cast<std::uint32_t>(scene.model.flocks.size()))));
+    scene.flock.push_back(
+        static_cast<std::uint8_t>(dice.below(static_cast<std::uint32_t>(scene.model.flocks.size()))));
   }
 }
 

@@ -72,7 +72,9 @@ Truth truth_of(const CrowdScene& scene, std::size_t i, const NeighbourRow& row) 
     }
     if (squared > 4 * double{row.outer_squared}) continue;
     const double room = 1e-4 * double{row.outer_squared};
-    if (std::abs(squared - double{row.outer_squared}) < room || (row.inner_squared > 0 && std::abs(squared - double{row.inner_squared}) < room) || !row.sees_all) ++truth.borderline;
+    if (std::abs(squared - double{row.outer_squared}) < room ||
+        (row.inner_squared > 0 && std::abs(squared - double{row.inner_squared}) < room) || !row.sees_all)
+      ++truth.borderline;
     if (squared < double{row.inner_squared} || squared >= double{row.outer_squared}) continue;
     if (!sees_one(row, scene, i, o, squared)) continue;
     ++truth.count;
@@ -117,7 +119,8 @@ std::vector<NeighbourSum> sums_by(const CrowdScene& scene, SumPath path) {
                               : neighbour_sums<2>(boids, batches, boids, question, scratch, block);
   std::vector<NeighbourSum> sums(scene.world.size() * rows);
   for (std::size_t i = 0; i < scene.world.size(); ++i) {
-    for (std::size_t r = 0; r < scene.model.flocks[scene.flock[i]].rows.size() && scene.world.hidden[i] == 0; ++r)
+    for (std::size_t r = 0; r < scene.model.flocks[scene.flock[i]].rows.size() && scene.world.hidden[i] == 0;
+         ++r)
       sums[i * rows + r] = block.at(r, i);
   }
   return sums;
@@ -152,8 +155,8 @@ std::string place_of(const CrowdScene& scene, std::size_t boid, std::size_t row)
 }
 
 /// Components that differ from the truth by more than a part in a hundred thousand of all that was added.
-void expect_true(const CrowdScene& scene, const NeighbourRow& row, const Truth& truth, const NeighbourSum& sum,
-                 const std::string& who) {
+void expect_true(const CrowdScene& scene, const NeighbourRow& row, const Truth& truth,
+                 const NeighbourSum& sum, const std::string& who) {
   double size = 0;  // of coordinates: an offset over the seam is rounded by their digits
   for (std::size_t axis = 0; axis < scene.world.axes(); ++axis)
     size = std::max({size, std::abs(double{scene.world.min[axis]}), std::abs(double{scene.world.max[axis]})});
@@ -178,7 +181,7 @@ void expect_same_sums(const CrowdScene& scene) {
       if (one.count != other.count)
         RC_FAIL(who + ": count " + std::to_string(other.count) + " for " + std::to_string(one.count));
       if (flock.rows[r].strength == Strength::fades) continue;  // never dense, and tried elsewhere
-      if (i % 5 != 0) continue;  // the definition is slow
+      if (i % 5 != 0) continue;                                 // the definition is slow
       const Truth truth = truth_of(scene, i, flock.rows[r]);
       if (truth.borderline != 0) continue;
       RC_ASSERT(one.count == truth.count);
@@ -201,13 +204,16 @@ void try_on_crowds(const char* what, Law&& law) {
         count_whole(scene, tally);
         law(scene);
       }));
-      EXPECT_GT(tally.worlds_with_whole_cells, tally.worlds / 4) << where << ": too few whole cells for a proof";
+      EXPECT_GT(tally.worlds_with_whole_cells, tally.worlds / 4)
+          << where << ": too few whole cells for a proof";
       EXPECT_GT(tally.whole, 0.01 * tally.all) << where << ": too few whole cells for a proof";
     }
   }
 }
 
-TEST(DensePath, CountsAndSumsWhatTheSparseOneDoes) { try_on_crowds("dense and sparse", expect_same_sums); }
+TEST(DensePath, CountsAndSumsWhatTheSparseOneDoes) {
+  try_on_crowds("dense and sparse", expect_same_sums);
+}
 
 TEST(DensePath, GivesTheBitsOfThePlainKernelOnEveryInstructionSet) {
   const IsaGuard guard;
@@ -219,7 +225,8 @@ TEST(DensePath, GivesTheBitsOfThePlainKernelOnEveryInstructionSet) {
       const auto wide = sums_by(scene, SumPath::dense);
       for (std::size_t i = 0; i < plain.size(); ++i) {
         if (std::memcmp(&wide[i], &plain[i], sizeof plain[i]) != 0)
-          RC_FAIL(std::string(isa.name) + ": " + place_of(scene, i / scene.model.most_rows, i % scene.model.most_rows));
+          RC_FAIL(std::string(isa.name) + ": " +
+                  place_of(scene, i / scene.model.most_rows, i % scene.model.most_rows));
       }
     }
   });
@@ -254,7 +261,8 @@ void expect_same_for_any_workers(const CrowdScene& scene) {
 
 TEST(CellSums, AreTheSameForAnyNumberOfWorkers) {
   try_on_crowds("workers", [](const CrowdScene& scene) {
-    scene.world.dimensions == 3 ? expect_same_for_any_workers<3>(scene) : expect_same_for_any_workers<2>(scene);
+    scene.world.dimensions == 3 ? expect_same_for_any_workers<3>(scene)
+                                : expect_same_for_any_workers<2>(scene);
   });
 }
 

@@ -1,5 +1,5 @@
-// The two parts of a ring: whole cells hold neighbours of every place of the box and nobody else, and everybody
-// who is in the ring of any place stands in exactly one part.
+// The two parts of a ring: whole cells hold neighbours of every place of the box and nobody else, and
+// everybody who is in the ring of any place stands in exactly one part.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -33,8 +33,9 @@ RingQuestion random_question(const RandomWorld& world, std::span<const Span> bat
     const auto first = world.position[axis].begin() + batch.begin;
     const auto last = world.position[axis].begin() + batch.end;
     question.low[axis] = *std::min_element(first, last);
-    question.high[axis] = is_any_place ? std::min(world.max[axis], question.low[axis] + world.reach * dice.share() / 2)
-                                       : *std::max_element(first, last);
+    question.high[axis] = is_any_place
+                              ? std::min(world.max[axis], question.low[axis] + world.reach * dice.share() / 2)
+                              : *std::max_element(first, last);
     question.high[axis] = std::max(question.low[axis], question.high[axis]);
   }
   question.outer = world.reach * (dice.below(2) == 0 ? 1.0f : dice.between(0.3f, 1));
@@ -79,8 +80,8 @@ std::vector<int> times_named(const RandomWorld& world, const RingParts& parts, c
   return times;
 }
 
-void expect_law(const RandomWorld& world, const NeighbourIndex& grid, const RingQuestion& question, Dice& dice,
-                int& whole_cells) {
+void expect_law(const RandomWorld& world, const NeighbourIndex& grid, const RingQuestion& question,
+                Dice& dice, int& whole_cells) {
   RingParts parts;
   grid.ring(question.low, question.high, question.inner, question.outer, parts);
   const CellLayout layout = grid.layout();
@@ -134,7 +135,8 @@ RandomWorld long_column(int count, Dice& dice) {
   for (int i = 0; i < count; ++i) {
     const float up = static_cast<float>(dice.below(40));
     world.position[0].push_back(dice.between(0, 1.5f));
-    world.position[1].push_back(dice.below(4) == 0 ? dice.between(0, 3000) : 3000 - up * 0.25f + dice.between(-1e-3f, 1e-3f));
+    world.position[1].push_back(dice.below(4) == 0 ? dice.between(0, 3000)
+                                                   : 3000 - up * 0.25f + dice.between(-1e-3f, 1e-3f));
     world.hidden.push_back(0);
     world.ids.push_back(static_cast<std::uint64_t>(i));
   }

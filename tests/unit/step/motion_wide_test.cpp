@@ -52,7 +52,9 @@ constexpr Trouble every_trouble[] = {Trouble::none, Trouble::far, Trouble::fast,
 /// Boids near one another, some of them in trouble.
 State random_state(int dimensions, std::size_t count, int flocks, Trouble trouble, std::uint32_t seed) {
   std::mt19937 random(seed);
-  const auto number = [&random](float most) { return most * (static_cast<float>(random() >> 8) * 0x1p-23f - 1); };
+  const auto number = [&random](float most) {
+    return most * (static_cast<float>(random() >> 8) * 0x1p-23f - 1);
+  };
   std::vector<Placed> boids(count);
   for (Placed& boid : boids) {
     boid.flock = static_cast<int>(random() % static_cast<unsigned>(flocks));
@@ -107,8 +109,10 @@ TEST_P(MotionInLanes, MovesFlocksOfEverySizeAlike) {
   for (std::size_t count = 1; count <= 40; ++count) {
     for (const BoundaryKind boundary : boundaries) {
       const int dimensions = count % 2 == 0 ? 2 : 3;
-      const std::string what = std::to_string(count) + " boids, boundary " + std::to_string(static_cast<int>(boundary));
-      const State state = random_state(dimensions, count, 1, Trouble::none, 100 + static_cast<unsigned>(count));
+      const std::string what =
+          std::to_string(count) + " boids, boundary " + std::to_string(static_cast<int>(boundary));
+      const State state =
+          random_state(dimensions, count, 1, Trouble::none, 100 + static_cast<unsigned>(count));
       run_side_by_side(three_flocks(dimensions, boundary), state, GetParam().isa, false, what);
     }
   }
@@ -118,7 +122,8 @@ TEST_P(MotionInLanes, MovesMixedGroupsAlike) {
   for (std::size_t count = 1; count <= 40; ++count) {
     for (const Trouble trouble : every_trouble) {
       const State state = random_state(3, count, 3, trouble, 200 + static_cast<unsigned>(count));
-      const std::string what = std::to_string(count) + " boids, trouble " + std::to_string(static_cast<int>(trouble));
+      const std::string what =
+          std::to_string(count) + " boids, trouble " + std::to_string(static_cast<int>(trouble));
       run_side_by_side(three_flocks(3, BoundaryKind::open), state, GetParam().isa, false, what);
     }
   }
@@ -129,7 +134,8 @@ TEST_P(MotionInLanes, PutsTheSameBoidsOutOfPlay) {
   for (std::size_t count = 1; count <= 40; ++count) {
     for (const Trouble trouble : every_trouble) {
       const State state = random_state(2, count, 3, trouble, 300 + static_cast<unsigned>(count));
-      const std::string what = std::to_string(count) + " pushed boids, trouble " + std::to_string(static_cast<int>(trouble));
+      const std::string what =
+          std::to_string(count) + " pushed boids, trouble " + std::to_string(static_cast<int>(trouble));
       const BoundaryKind boundary = boundaries[count % 4];
       fallen += run_side_by_side(three_flocks(2, boundary), state, GetParam().isa, true, what);
     }
