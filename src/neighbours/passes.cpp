@@ -62,6 +62,18 @@ bool filter_alike(const NeighbourRow& one, const NeighbourRow& other) {
          one.flocks == other.flocks;
 }
 
+// Those of the rows that filter like one of them, as many as a wide program takes.
+std::uint64_t alike_rows(const FlockModel& flock, std::uint64_t rows, const NeighbourRow& one) {
+  std::uint64_t alike = 0;
+  std::size_t count = 0;
+  for (std::size_t r = 0; r < flock.rows.size() && count < WideProgram::most; ++r) {
+    if ((rows >> r & 1) == 0 || !filter_alike(flock.rows[r], one)) continue;
+    alike |= std::uint64_t{1} << r;
+    ++count;
+  }
+  return alike;
+}
+
 }  // namespace
 
 void SumPass::clear(std::size_t flocks) {
@@ -92,14 +104,12 @@ void Passes::plan_dense(const FlockModel& flock, std::size_t number, const Model
     pass.steered = std::uint64_t{1} << number;
     pass.looked_at = first.flocks;
     pass.inner = std::sqrt(first.inner_squared);
-    for (std::size_t r = 0; r < flock.rows.size(); ++r) {
-      if ((rows >> r & 1) != 0 && filter_alike(flock.rows[r], first)) pass.rows[number] |= std::uint64_t{1} << r;
-    }
+    pass.rows[number] = alike_rows(flock, rows, first);
     rows &= ~pass.rows[number];
     pass.reach = std::min(model.reach, reach_of(flock, pass.rows[number]));
     if (!wide_) continue;
     pass.programs.resize(model.flocks.size());
-    pass.programs[number] = wide_program(flock, pass.rows[number]).value_or(WideProgram{});
+    pass.programs[number] = *wide_program(flock, pass.rows[number]);
   }
 }
 
@@ -107,8 +117,7 @@ void Passes::plan_sparse(const Model& model, std::size_t flock) {
   SumPass* pass = nullptr;
   for (std::size_t p = 0; p < count_ && pass == nullptr; ++p) {
     const auto like = static_cast<std::size_t>(std::countr_zero(passes_[p].steered));
-    const bool fits = !wide_ || same_shape(programs_[flock], programs_[like]);
-    if (!passes_[p].is_dense && fits) pass = &passes_[p];
+    if (!passes_[p].is_dense && same_shape(programs_[flock], programs_[like])) pass = &passes_[p];
   }
   if (pass == nullptr) pass = &next(model.flocks.size());
   pass->reach = std::min(model.reach, std::max(pass->reach, reach_of(model.flocks[flock], sparse_[flock])));
@@ -120,15 +129,17 @@ void Passes::plan_sparse(const Model& model, std::size_t flock) {
 void Passes::plan(const Model& model, bool may_be_wide, double crowding) {
   const std::size_t flocks = model.flocks.size();
   count_ = 0;
-  wide_ = may_be_wide;
+  bool all_have_programs = true;
   sparse_.assign(flocks, 0);
   programs_.assign(flocks, {});
   for (std::size_t f = 0; f < flocks; ++f) {
     sparse_[f] = finite_rows(model.flocks[f]) & ~dense_rows(model.flocks[f], model, crowding);
     const auto program = wide_program(model.flocks[f], sparse_[f]);
-    wide_ = wide_ && program.has_value();
+    all_have_programs = all_have_programs && program.has_value();
     if (program) programs_[f] = *program;
   }
+  if (!all_have_programs) programs_.assign(flocks, {});
+  wide_ = may_be_wide && all_have_programs;
   for (std::size_t f = 0; f < flocks; ++f) {
     if (sparse_[f] != 0) plan_sparse(model, f);
     plan_dense(model.flocks[f], f, model, dense_rows(model.flocks[f], model, crowding));

@@ -30,7 +30,8 @@ struct SumPass {
 /// All passes of a step. The memory of earlier steps is used again.
 class Passes {
  public:
-  /// The passes of a model. With the wide kernel, flocks whose programs have one shape share one. A row that
+  /// The passes of a model, the same for every kernel: how a sum is rounded depends on who is a candidate.
+  /// Flocks whose programs have one shape share one, and where a flock has no program all do. A row that
   /// is a plain sum over a ring gets a dense pass of its own where the model asks for it, or where a boid has
   /// about `crowding` neighbours within the model's reach and the row thus sees very many.
   void plan(const Model& model, bool may_be_wide, double crowding = 0);

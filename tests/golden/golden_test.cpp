@@ -99,10 +99,14 @@ class Golden : public testing::TestWithParam<std::size_t> {
             << shipped().name << ", step " << step << ", world " << i
             << " of 1, 2, 3, 8 threads and poison: " << first_difference(worlds.front(), worlds[i]);
       }
-      if (step == 1 || step == 10 || step == 100 || step == 1000) {
-        found_[std::string(shipped().name) + " " + std::to_string(step)] = text_of(worlds.front().hash());
-      }
+      note(worlds.front());
     }
+  }
+
+  void note(const Simulation& world) {
+    const std::uint64_t step = world.step_number();
+    if (step == 1 || step == 10 || step == 100 || step == 1000)
+      found_[std::string(shipped().name) + " " + std::to_string(step)] = text_of(world.hash());
   }
 
   void compare_with_file() const {
@@ -121,6 +125,17 @@ class Golden : public testing::TestWithParam<std::size_t> {
 };
 
 class FullGolden : public Golden {};
+class BriefGolden : public Golden {};
+
+// One world and few steps, for processors that are only imitated.
+TEST_P(BriefGolden, SameBitsForTenSteps) {
+  Simulation world = start(reduced(shipped()));
+  for (int step = 1; step <= 10; ++step) {
+    world.step();
+    note(world);
+  }
+  compare_with_file();
+}
 
 TEST_P(Golden, SameBitsForAnyThreadsAndGarbage) {
   ASSERT_NO_FATAL_FAILURE(run_all(100));
@@ -172,8 +187,10 @@ INSTANTIATE_TEST_SUITE_P(Shipped, GoldenIsa,
                          testing::Combine(testing::ValuesIn(every_scenario()), testing::ValuesIn(wide_isas)),
                          name_of_both);
 INSTANTIATE_TEST_SUITE_P(Shipped, Golden, testing::ValuesIn(every_scenario()), name_of);
+INSTANTIATE_TEST_SUITE_P(Shipped, BriefGolden, testing::ValuesIn(every_scenario()), name_of);
 INSTANTIATE_TEST_SUITE_P(Full, FullGolden, testing::ValuesIn(every_scenario()), name_of);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Golden);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(BriefGolden);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FullGolden);
 
 TEST(GoldenFile, HoldsTheHashesOfShippedScenariosOnly) {
