@@ -178,9 +178,8 @@ HWY_INLINE void AddFading(Doubled* whole, Lanes_mask mask, const Seen<D>& seen) 
 
 // The sums of one register's lanes, by row and filter of the program.
 struct Sums {
-  Lanes part[WideProgram::most][3];
+  Lanes value[WideProgram::most][3];
   Counts count[WideProgram::most];
-  Doubled whole[WideProgram::most][3];
 };
 
 // A program whose rows are known to the compiler, so that its sums stay in registers; row r belongs to filter
@@ -239,77 +238,147 @@ HWY_INLINE void Pass(const Walk<D, ThePlan>& walk, const Seen<D>& seen, std::siz
   }
 }
 
+// The sums of a plan while it walks; small enough for registers, which larger arrays are not.
+template <class ThePlan>
+struct Running {
+  Lanes part[ThePlan::rows][3];
+  Counts count[ThePlan::filters];
+};
+template <class ThePlan>
+struct Wholes {
+  Doubled sum[ThePlan::rows][3];
+};
+
 template <int D, class ThePlan, int r>
 HWY_INLINE void AddRow(const Walk<D, ThePlan>& walk, const Seen<D>& seen, const Lanes_mask* masks,
-                       std::size_t candidate, bool few, Sums& sums) {
+                       std::size_t candidate, Running<ThePlan>& running, Wholes<ThePlan>* wholes) {
   if constexpr (r < ThePlan::rows) {
     const Lanes_mask mask = masks[ThePlan::filter_of(r)];
-    if (ThePlan::addends[r] == WideAddend::fades && !few) {
-      AddFading<D>(sums.whole[r], mask, seen);
+    if (ThePlan::addends[r] == WideAddend::fades && wholes != nullptr) {
+      AddFading<D>(wholes->sum[r], mask, seen);
     } else {
-      AddTo<D>(sums.part[r], ThePlan::addends[r], mask, seen, walk.boids, candidate);
+      AddTo<D>(running.part[r], ThePlan::addends[r], mask, seen, walk.boids, candidate);
     }
   }
 }
 
-template <int D, Wraps wraps, bool few, bool with_self, class ThePlan>
-HWY_INLINE void WalkRange(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end, Sums& sums) {
+template <int D, Wraps wraps, bool with_self, class ThePlan>
+HWY_INLINE void WalkRange(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end,
+                          Running<ThePlan>& running, Wholes<ThePlan>* wholes) {
   for (std::size_t candidate = begin; candidate < end; ++candidate) {
     const Seen<D> seen = Look<D, wraps>(walk.targets, walk.batch, walk.shift, candidate);
     Lanes_mask masks[ThePlan::filters];
-    Pass<D, with_self, ThePlan, 0>(walk, seen, candidate, masks, sums.count);
-    Pass<D, with_self, ThePlan, 1>(walk, seen, candidate, masks, sums.count);
-    Pass<D, with_self, ThePlan, 2>(walk, seen, candidate, masks, sums.count);
-    AddRow<D, ThePlan, 0>(walk, seen, masks, candidate, few, sums);
-    AddRow<D, ThePlan, 1>(walk, seen, masks, candidate, few, sums);
-    AddRow<D, ThePlan, 2>(walk, seen, masks, candidate, few, sums);
+    Pass<D, with_self, ThePlan, 0>(walk, seen, candidate, masks, running.count);
+    Pass<D, with_self, ThePlan, 1>(walk, seen, candidate, masks, running.count);
+    Pass<D, with_self, ThePlan, 2>(walk, seen, candidate, masks, running.count);
+    AddRow<D, ThePlan, 0>(walk, seen, masks, candidate, running, wholes);
+    AddRow<D, ThePlan, 1>(walk, seen, masks, candidate, running, wholes);
+    AddRow<D, ThePlan, 2>(walk, seen, masks, candidate, running, wholes);
   }
 }
 
 // Candidates [begin, end), among whom may be the targets themselves.
-template <int D, Wraps wraps, bool few, class ThePlan>
-HWY_INLINE void WalkSpan(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end, Sums& sums) {
+template <int D, Wraps wraps, class ThePlan>
+HWY_INLINE void WalkSpan(const Walk<D, ThePlan>& walk, std::size_t begin, std::size_t end,
+                         Running<ThePlan>& running, Wholes<ThePlan>* wholes) {
   const std::size_t self = std::clamp(walk.targets.first, begin, end);
   const std::size_t others = std::clamp(walk.targets.first + width, begin, end);
-  WalkRange<D, wraps, few, false, ThePlan>(walk, begin, self, sums);
-  WalkRange<D, wraps, few, true, ThePlan>(walk, self, others, sums);
-  WalkRange<D, wraps, few, false, ThePlan>(walk, others, end, sums);
+  WalkRange<D, wraps, false, ThePlan>(walk, begin, self, running, wholes);
+  WalkRange<D, wraps, true, ThePlan>(walk, self, others, running, wholes);
+  WalkRange<D, wraps, false, ThePlan>(walk, others, end, running, wholes);
 }
 
-HWY_INLINE void Fold(std::size_t rows, Sums& sums) {
+// Each row and filter written out again, for the sake of registers.
+template <int D, class ThePlan, int r>
+HWY_INLINE void ClearRow(Running<ThePlan>& running) {
   const Floats d;
-  for (std::size_t r = 0; r < rows; ++r) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      AddDoubled(sums.whole[r][axis], sums.part[r][axis]);
-      sums.part[r][axis] = hn::Zero(d);
+  if constexpr (r < ThePlan::filters) running.count[r] = hn::Zero(hn::RebindToSigned<Floats>());
+  if constexpr (r < ThePlan::rows) {
+    for (std::size_t axis = 0; axis < D; ++axis) running.part[r][axis] = hn::Zero(d);
+  }
+}
+
+template <int D, class ThePlan, int r>
+HWY_INLINE void ClearWhole(Wholes<ThePlan>& wholes) {
+  if constexpr (r < ThePlan::rows) {
+    for (std::size_t axis = 0; axis < D; ++axis) wholes.sum[r][axis] = ZeroDoubled();
+  }
+}
+
+template <int D, class ThePlan, int r>
+HWY_INLINE void FoldRow(Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
+  const Floats d;
+  if constexpr (r < ThePlan::rows) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      AddDoubled(wholes.sum[r][axis], running.part[r][axis]);
+      running.part[r][axis] = hn::Zero(d);
     }
   }
 }
 
+template <int D, class ThePlan>
+HWY_INLINE void FoldAll(Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
+  FoldRow<D, ThePlan, 0>(running, wholes);
+  FoldRow<D, ThePlan, 1>(running, wholes);
+  FoldRow<D, ThePlan, 2>(running, wholes);
+}
+
+template <int D, class ThePlan, int r>
+HWY_INLINE void FinishRow(const Running<ThePlan>& running, const Wholes<ThePlan>* wholes, Sums& sums) {
+  if constexpr (r < ThePlan::filters) sums.count[r] = running.count[r];
+  if constexpr (r < ThePlan::rows) {
+    for (std::size_t axis = 0; axis < D; ++axis)
+      sums.value[r][axis] = wholes == nullptr ? running.part[r][axis] : Rounded(wholes->sum[r][axis]);
+    for (std::size_t axis = D; axis < 3; ++axis) sums.value[r][axis] = hn::Zero(Floats());
+  }
+}
+
+template <int D, class ThePlan>
+HWY_INLINE void Finish(const Running<ThePlan>& running, const Wholes<ThePlan>* wholes, Sums& sums) {
+  FinishRow<D, ThePlan, 0>(running, wholes, sums);
+  FinishRow<D, ThePlan, 1>(running, wholes, sums);
+  FinishRow<D, ThePlan, 2>(running, wholes, sums);
+}
+
 template <int D, Wraps wraps, class ThePlan>
 HWY_INLINE void WalkFew(Walk<D, ThePlan>& walk, Sums& sums) {
+  Running<ThePlan> running;
+  ClearRow<D, ThePlan, 0>(running);
+  ClearRow<D, ThePlan, 1>(running);
+  ClearRow<D, ThePlan, 2>(running);
+  Wholes<ThePlan>* const none = nullptr;
   for (const Span& span : walk.batch.spans) {
     if (wraps == Wraps::by_span) SetShift(span, walk);
-    WalkSpan<D, wraps, true, ThePlan>(walk, span.begin, span.end, sums);
+    WalkSpan<D, wraps, ThePlan>(walk, span.begin, span.end, running, none);
   }
+  Finish<D, ThePlan>(running, none, sums);
 }
 
 template <int D, Wraps wraps, class ThePlan>
 HWY_INLINE void WalkMany(Walk<D, ThePlan>& walk, Sums& sums) {
+  Running<ThePlan> running;
+  Wholes<ThePlan> wholes;
+  ClearRow<D, ThePlan, 0>(running);
+  ClearRow<D, ThePlan, 1>(running);
+  ClearRow<D, ThePlan, 2>(running);
+  ClearWhole<D, ThePlan, 0>(wholes);
+  ClearWhole<D, ThePlan, 1>(wholes);
+  ClearWhole<D, ThePlan, 2>(wholes);
   std::size_t left = candidates_in_float;
   for (const Span& span : walk.batch.spans) {
     if (wraps == Wraps::by_span) SetShift(span, walk);
     for (std::size_t at = span.begin; at < span.end;) {
       const std::size_t end = std::min<std::size_t>(span.end, at + left);
-      WalkSpan<D, wraps, false, ThePlan>(walk, at, end, sums);
+      WalkSpan<D, wraps, ThePlan>(walk, at, end, running, &wholes);
       left -= end - at;
       at = end;
       if (left != 0) continue;
-      Fold(ThePlan::rows, sums);
+      FoldAll<D, ThePlan>(running, wholes);
       left = candidates_in_float;
     }
   }
-  Fold(ThePlan::rows, sums);
+  FoldAll<D, ThePlan>(running, wholes);
+  Finish<D, ThePlan>(running, &wholes, sums);
 }
 
 template <int D>
@@ -357,27 +426,13 @@ HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const WideP
   const Floats d;
   const Lanes_mask steered = Steered(batch, first);
   for (std::size_t r = 0; r < program.row_count; ++r) {
-    Lanes values[3];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      values[axis] = batch.few ? sums.part[r][axis] : Rounded(sums.whole[r][axis]);
     const WideRow row = program.rows[r];
-    StoreRow(batch, first, row.row, steered, values, sums.count[row.filter]);
+    StoreRow(batch, first, row.row, steered, sums.value[r], sums.count[row.filter]);
   }
   const Lanes nothing[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   for (std::uint64_t left = program.empty_rows; left != 0; left &= left - 1)
     StoreRow(batch, first, static_cast<std::size_t>(std::countr_zero(left)), steered, nothing,
              hn::Zero(hn::RebindToSigned<Floats>()));
-}
-
-HWY_INLINE void Clear(std::size_t rows, Sums& sums) {
-  const Floats d;
-  for (std::size_t r = 0; r < rows; ++r) {
-    sums.count[r] = hn::Zero(hn::RebindToSigned<Floats>());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      sums.part[r][axis] = hn::Zero(d);
-      sums.whole[r][axis] = ZeroDoubled();
-    }
-  }
 }
 
 template <int D, Wraps wraps, class ThePlan>
@@ -404,7 +459,6 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
     for (std::size_t f = 0; f < ThePlan::filters; ++f)
       walk.outer[f] = hn::Set(d, program.filters[f].outer_squared);
     Sums sums;
-    Clear(ThePlan::rows, sums);
     if (!batch.image.wraps) {
       WalkAll<D, Wraps::no, ThePlan>(walk, sums);
     } else if (spans_tell) {
@@ -417,9 +471,48 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
 }
 
 // Any program, row by row: slower, since the sums pass through memory for each candidate.
+struct AnySums {
+  Lanes part[WideProgram::most][3];
+  Doubled whole[WideProgram::most][3];
+};
+
+HWY_INLINE void FoldAny(std::size_t rows, AnySums& running) {
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      AddDoubled(running.whole[r][axis], running.part[r][axis]);
+      running.part[r][axis] = hn::Zero(Floats());
+    }
+  }
+}
+
+HWY_INLINE void ClearAny(AnySums& running, Sums& sums) {
+  for (std::size_t r = 0; r < WideProgram::most; ++r) {
+    sums.count[r] = hn::Zero(hn::RebindToSigned<Floats>());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      running.part[r][axis] = hn::Zero(Floats());
+      running.whole[r][axis] = ZeroDoubled();
+    }
+  }
+}
+
+template <int D>
+HWY_INLINE void AddAny(const WideBatch& batch, const WideProgram& program, const Lanes_mask* masks,
+                       const Seen<D>& seen, std::size_t candidate, AnySums& running) {
+  for (std::size_t r = 0; r < program.row_count; ++r) {
+    const WideRow row = program.rows[r];
+    if (row.addend == WideAddend::fades && !batch.few) {
+      AddFading<D>(running.whole[r], masks[row.filter], seen);
+    } else {
+      AddTo<D>(running.part[r], row.addend, masks[row.filter], seen, *batch.boids, candidate);
+    }
+  }
+}
+
 template <int D, Wraps wraps>
 HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const Filters& filters, Sums& sums) {
   const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  AnySums running;
+  ClearAny(running, sums);
   std::size_t seen_so_far = 0;
   for (const Span span : batch.spans) {
     for (std::size_t candidate = span.begin; candidate < span.end; ++candidate) {
@@ -430,18 +523,14 @@ HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const
         if (candidate - targets.first < width) masks[f] = NotSelf<true>(masks[f], candidate, targets.first);
         sums.count[f] = CountWhere(masks[f], sums.count[f]);
       }
-      for (std::size_t r = 0; r < program.row_count; ++r) {
-        const WideRow row = program.rows[r];
-        if (row.addend == WideAddend::fades && !batch.few) {
-          AddFading<D>(sums.whole[r], masks[row.filter], seen);
-        } else {
-          AddTo<D>(sums.part[r], row.addend, masks[row.filter], seen, *batch.boids, candidate);
-        }
-      }
-      if (!batch.few && ++seen_so_far % candidates_in_float == 0) Fold(program.row_count, sums);
+      AddAny<D>(batch, program, masks, seen, candidate, running);
+      if (!batch.few && ++seen_so_far % candidates_in_float == 0) FoldAny(program.row_count, running);
     }
   }
-  if (!batch.few) Fold(program.row_count, sums);
+  FoldAny(program.row_count, running);
+  for (std::size_t r = 0; r < program.row_count; ++r) {
+    for (std::size_t axis = 0; axis < 3; ++axis) sums.value[r][axis] = Rounded(running.whole[r][axis]);
+  }
 }
 
 template <int D>
@@ -452,7 +541,6 @@ HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
     FillFilters(batch, first, filters);
     const Targets<D> targets = Load<D>(batch, first);
     Sums sums;
-    Clear(WideProgram::most, sums);
     if (batch.image.wraps) {
       WalkAny<D, Wraps::by_comparison>(batch, targets, filters, sums);
     } else {
