@@ -32,7 +32,8 @@ class Workers {
   /// all weights up to and including its own.
   template <class Body>
   void for_weighted(std::span<const std::uint64_t> weights, Body&& body) const {
-    run(weights.size(), weights, {const_cast<void*>(static_cast<const void*>(&body)), call<std::remove_reference_t<Body>>});
+    run(weights.size(), weights,
+        {const_cast<void*>(static_cast<const void*>(&body)), call<std::remove_reference_t<Body>>});
   }
 
  private:

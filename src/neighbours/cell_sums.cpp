@@ -97,7 +97,8 @@ void add_total(const Boids& boids, Span batch, std::size_t row, const NeighbourR
       values[i] = static_cast<float>(double{values[i]} + (all - mine));
     }
   }
-  for (std::size_t i = 0; i < size; ++i) counts[i] += static_cast<std::uint32_t>(total.count - double{itself[i]});
+  for (std::size_t i = 0; i < size; ++i)
+    counts[i] += static_cast<std::uint32_t>(total.count - double{itself[i]});
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ struct Axis {
     const auto whole = static_cast<std::int64_t>(p);  // towards zero; std::floor would be a call
     return whole - (p < static_cast<float>(whole) ? 1 : 0);
   }
-  double edge(std::int64_t cell) const { return double{min} + static_cast<double>(cell) / double{cells_per_length}; }
+  double edge(std::int64_t cell) const {
+    return double{min} + static_cast<double>(cell) / double{cells_per_length};
+  }
 };
 
 // One or two runs of cells: a question may reach over the seam of a wrapped space.
@@ -80,7 +82,8 @@ class Grid : public NeighbourIndex {
     parts.edge.clear();
     double extent = 0;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis)
-      extent = std::max(extent, std::abs(axes_[axis].edge(0)) + std::abs(axes_[axis].edge(axes_[axis].cells)));
+      extent =
+          std::max(extent, std::abs(axes_[axis].edge(0)) + std::abs(axes_[axis].edge(axes_[axis].cells)));
     const double room = padded_reach(cloud_, outer) - double{outer} + extent * 1e-6;
     const RingQuestion question{low, high, inner, outer, room};
     const Run y = run(1, low[1], high[1], question);
@@ -437,7 +440,8 @@ class Grid : public NeighbourIndex {
       const auto first = static_cast<std::uint32_t>(first_of_row + x.cell);
       const auto last = first + static_cast<std::uint32_t>(count);
       const Span span{begin_[first], begin_[last], {x.seam, y.seam, z.seam}};
-      if (span.begin < span.end && is_whole) parts.whole.push_back({first, last, {x.shift, y.shift, z.shift}});
+      if (span.begin < span.end && is_whole)
+        parts.whole.push_back({first, last, {x.shift, y.shift, z.shift}});
       if (span.begin < span.end && !is_whole) parts.edge.push_back(span);
       run.first += count;
     }

@@ -44,8 +44,8 @@ struct CellRun {
   std::array<float, 3> shift;
 };
 
-/// The neighbourhood of a box in two parts: cells whose boids are all neighbours of every place in the box, and
-/// spans of those that have to be asked one by one.
+/// The neighbourhood of a box in two parts: cells whose boids are all neighbours of every place in the box,
+/// and spans of those that have to be asked one by one.
 struct RingParts {
   std::vector<CellRun> whole;
   std::vector<Span> edge;
@@ -79,8 +79,9 @@ class NeighbourIndex {
   virtual void build(const Cloud& cloud, float reach, const Workers& workers,
                      std::vector<std::uint32_t>& order) = 0;
 
-  /// Spans that hold every boid within `reach`, at most that of `build`, of any place in the box from `low` to
-  /// `high`, which lies inside the space. Always in the same order; no boid twice. `spans` is cleared first.
+  /// Spans that hold every boid within `reach`, at most that of `build`, of any place in the box from `low`
+  /// to `high`, which lies inside the space. Always in the same order; no boid twice. `spans` is cleared
+  /// first.
   virtual void spans(const std::array<float, 3>& low, const std::array<float, 3>& high, float reach,
                      std::vector<Span>& spans) const = 0;
 

@@ -105,13 +105,14 @@ struct NeighbourQuestion {
   const Passes* passes = nullptr;
 };
 
-/// Contributions to a sum are floats, and where a batch has few candidates so are the sums. With more, so many
-/// candidates' are added in float, then folded into a double, which is rounded once; and what fades with
+/// Contributions to a sum are floats, and where a batch has few candidates so are the sums. With more, so
+/// many candidates' are added in float, then folded into a double, which is rounded once; and what fades with
 /// distance is added in double at once: a swarm of hundreds around a boid pushes from all sides, a near one
 /// thousands of times as hard as a far one, and what is left of the push must not be the rounding of the sum.
 /// Candidates count whether they turn out to be neighbours or not, so that every kernel does the same.
-inline constexpr std::uint32_t few_candidates[] = {256, 512};  // in 2D and in 3D, where fewer of them are near
-inline constexpr std::uint32_t few_of_a_plain_sum = 1024;      // where nothing fades
+inline constexpr std::uint32_t few_candidates[] = {256,
+                                                   512};   // in 2D and in 3D, where fewer of them are near
+inline constexpr std::uint32_t few_of_a_plain_sum = 1024;  // where nothing fades
 inline constexpr std::uint32_t candidates_in_float = 64;
 
 /// A sum in the making.
@@ -152,8 +153,8 @@ struct KernelScratch {
 
 /// For the targets of each batch: every row of the target's flock, summed over its neighbours among the
 /// sources. Targets and sources may be different boids: what comes from elsewhere is a source only.
-/// Neighbours are added in the order of the index's spans for the batch. `sums` holds all boids of the batches;
-/// those of hidden targets mean nothing.
+/// Neighbours are added in the order of the index's spans for the batch. `sums` holds all boids of the
+/// batches; those of hidden targets mean nothing.
 template <int D>
 void neighbour_sums(const Boids& targets, std::span<const Span> batches, const Boids& sources,
                     const NeighbourQuestion& question, KernelScratch& scratch, SumBlock& sums);
@@ -162,7 +163,8 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
 /// row at a time.
 template <int D>
 void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span<const Span> spans,
-               const NeighbourQuestion& question, const SumPass& pass, KernelScratch& scratch, SumBlock& sums);
+               const NeighbourQuestion& question, const SumPass& pass, KernelScratch& scratch,
+               SumBlock& sums);
 
 /// The rows of a batch that look at the whole population.
 template <int D>

@@ -32,8 +32,8 @@ HWY_INLINE Lanes AddWhere(Lanes_mask mask, Lanes sum, Lanes value) {
 #endif
 }
 
-// The same for finite values. A product with 1 or 0 is exact, so that the fused operation rounds like the sum;
-// it runs where sums alone would queue.
+// The same for finite values. A product with 1 or 0 is exact, so that the fused operation rounds like the
+// sum; it runs where sums alone would queue.
 HWY_INLINE Lanes AddFinite(Lanes_mask mask, Lanes sum, Lanes value) {
 #if HWY_TARGET <= HWY_AVX3
   return hn::IfThenElse(mask, hn::MulAdd(hn::Set(Floats(), 1.0f), value, sum), sum);

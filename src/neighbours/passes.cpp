@@ -40,7 +40,8 @@ std::uint64_t dense_rows(const FlockModel& flock, const Model& model, double cro
   for (std::size_t r = 0; r < flock.rows.size(); ++r) {
     const NeighbourRow& row = flock.rows[r];
     if (!is_plain_sum(row) || model.index.path == SumPath::sparse) continue;
-    if (model.index.path == SumPath::dense || is_crowded(row, flock, model, crowding)) rows |= std::uint64_t{1} << r;
+    if (model.index.path == SumPath::dense || is_crowded(row, flock, model, crowding))
+      rows |= std::uint64_t{1} << r;
   }
   return rows;
 }

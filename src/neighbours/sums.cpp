@@ -50,8 +50,7 @@ std::span<const Span> find_candidates(const NeighbourIndex* index, const Box& bo
 
 template <int D>
 void wide_batch(const Boids& boids, Span batch, const Members& members, std::span<const Span> spans,
-                const Wrapping& image, const SumPass& pass,
-                SumBlock& sums) {
+                const Wrapping& image, const SumPass& pass, SumBlock& sums) {
   WideBatch wide;
   wide.boids = &boids;
   wide.targets = batch;
@@ -85,7 +84,8 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
       } else {
         sum_batch<D>(targets, batch, sources, spans, question, pass, scratch, sums);
       }
-      if (pass.is_dense) add_whole_cells<D>(targets, batch, question, pass, scratch.ring.whole, scratch, sums);
+      if (pass.is_dense)
+        add_whole_cells<D>(targets, batch, question, pass, scratch.ring.whole, scratch, sums);
     }
     if (model.uses_totals) add_populations<D>(targets, batch, question, sums);
   }

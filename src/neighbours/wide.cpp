@@ -33,8 +33,9 @@ struct Seen {
   Lanes distance_squared;
 };
 
-// Where the space wraps: the nearest image by comparison, as the plain kernel finds it; or by one subtraction,
-// where the span says over which end its boids are seen. For all who are near both give the same bits.
+// Where the space wraps: the nearest image by comparison, as the plain kernel finds it; or by one
+// subtraction, where the span says over which end its boids are seen. For all who are near both give the same
+// bits.
 enum class Wraps { no, by_span, by_comparison };
 
 template <int D, Wraps wraps>
@@ -173,7 +174,8 @@ template <int D>
 HWY_INLINE void AddFading(Doubled* whole, Lanes_mask mask, const Seen<D>& seen) {
   Lanes values[3];
   Push<D>(seen, true, values);
-  for (std::size_t axis = 0; axis < D; ++axis) AddDoubled(whole[axis], hn::IfThenElseZero(mask, values[axis]));
+  for (std::size_t axis = 0; axis < D; ++axis)
+    AddDoubled(whole[axis], hn::IfThenElseZero(mask, values[axis]));
 }
 
 // The sums of one register's lanes, by row and filter of the program.
@@ -202,9 +204,26 @@ HWY_INLINE Lanes_mask NotSelf(Lanes_mask mask, std::size_t candidate, std::size_
   return hn::And(mask, hn::Ne(hn::Iota(d, 0.0f), hn::Set(d, own)));
 }
 
+template <int D>
+HWY_INLINE Targets<D> Load(const WideBatch& batch, std::size_t first) {
+  Targets<D> targets;
+  targets.first = first;
+  const std::size_t count = std::min<std::size_t>(width, batch.targets.end - first);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    targets.position[axis] = LoadSome(batch.boids->position[axis] + first, count);
+    targets.velocity[axis] = LoadSome(batch.boids->velocity[axis] + first, count);
+  }
+  targets.speed = hn::Sqrt(Squared<D>(targets.velocity));
+  return targets;
+}
+
 // What one walk of a plan needs.
 template <int D, class ThePlan>
 struct Walk {
+  // Not an aggregate, whose last members would be cleared for nothing.
+  HWY_INLINE Walk(const WideBatch& of, std::size_t first, const Filters& its_filters)
+      : batch(of), boids(*of.boids), targets(Load<D>(of, first)), filters(its_filters) {}
+
   const WideBatch& batch;
   const Boids boids;
   const Targets<D> targets;
@@ -381,19 +400,6 @@ HWY_INLINE void WalkMany(Walk<D, ThePlan>& walk, Sums& sums) {
   Finish<D, ThePlan>(running, &wholes, sums);
 }
 
-template <int D>
-HWY_INLINE Targets<D> Load(const WideBatch& batch, std::size_t first) {
-  Targets<D> targets;
-  targets.first = first;
-  const std::size_t count = std::min<std::size_t>(width, batch.targets.end - first);
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    targets.position[axis] = LoadSome(batch.boids->position[axis] + first, count);
-    targets.velocity[axis] = LoadSome(batch.boids->velocity[axis] + first, count);
-  }
-  targets.speed = hn::Sqrt(Squared<D>(targets.velocity));
-  return targets;
-}
-
 // Which lanes hold boids that are steered here.
 HWY_INLINE Lanes_mask Steered(const WideBatch& batch, std::size_t first) {
   const Floats d;
@@ -412,7 +418,8 @@ HWY_INLINE void StoreRow(const WideBatch& batch, std::size_t first, std::size_t 
   const hn::RebindToSigned<Floats> di;
   auto* to = reinterpret_cast<std::int32_t*>(batch.sums->count(row, first));
   if (!batch.is_mixed) {  // the columns have room beyond the last boid
-    for (std::size_t axis = 0; axis < 3; ++axis) hn::StoreU(values[axis], d, batch.sums->value(row, axis, first));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      hn::StoreU(values[axis], d, batch.sums->value(row, axis, first));
     hn::StoreU(count, di, to);
     return;
   }
@@ -455,7 +462,7 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
     if constexpr (ThePlan::has_options) FillFilters(batch, first, filters);
-    Walk<D, ThePlan> walk{batch, *batch.boids, Load<D>(batch, first), filters, {}, {}};
+    Walk<D, ThePlan> walk(batch, first, filters);
     for (std::size_t f = 0; f < ThePlan::filters; ++f)
       walk.outer[f] = hn::Set(d, program.filters[f].outer_squared);
     Sums sums;
@@ -509,7 +516,8 @@ HWY_INLINE void AddAny(const WideBatch& batch, const WideProgram& program, const
 }
 
 template <int D, Wraps wraps>
-HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const Filters& filters, Sums& sums) {
+HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const Filters& filters,
+                        Sums& sums) {
   const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
   AnySums running;
   ClearAny(running, sums);
@@ -556,7 +564,8 @@ bool Fits(const WideProgram& program) {
   if (program.row_count != ThePlan::rows || program.filter_count != ThePlan::filters) return false;
   for (std::size_t r = 0; r < ThePlan::rows; ++r) {
     const WideRow& row = program.rows[r];
-    if (row.addend != ThePlan::addends[r] || row.filter != ThePlan::filter_of(static_cast<int>(r))) return false;
+    if (row.addend != ThePlan::addends[r] || row.filter != ThePlan::filter_of(static_cast<int>(r)))
+      return false;
   }
   return true;
 }
@@ -586,7 +595,8 @@ void SumBatch(const WideBatch& batch) {
                        Plan<3, true, fades, heading, fades>>(batch, program)
           : SumByOneOf<D, Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
                        Plan<2, false, grows, velocity, grows>, Plan<1, false, fades>, Plan<1, false, grows>,
-                       Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>(batch, program);
+                       Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>(batch,
+                                                                                                program);
   if (!done) SumBatchAny<D>(batch);
 }
 

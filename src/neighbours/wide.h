@@ -54,9 +54,9 @@ bool same_shape(const WideProgram& one, const WideProgram& other);
 struct WideBatch {
   const Boids* boids = nullptr;
   Span targets{};
-  std::span<const Span> spans;  ///< of candidates
-  bool few = false;             ///< see `few_candidates`
-  Wrapping image;               ///< `wraps` only where some candidate may be near over the seam
+  std::span<const Span> spans;            ///< of candidates
+  bool few = false;                       ///< see `few_candidates`
+  Wrapping image;                         ///< `wraps` only where some candidate may be near over the seam
   const WideProgram* programs = nullptr;  ///< of each flock
   std::uint64_t steered = 0;              ///< the flocks whose boids get sums; their programs have one shape
   bool is_mixed = false;                  ///< the batch also holds boids of others, or of several

@@ -115,10 +115,8 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
                 const NeighbourQuestion& question, std::size_t first, std::size_t last, StepWatch* watch,
                 int part) {
   PartScratch& own = scratch.parts[static_cast<std::size_t>(part)];
-  Motion<D> motion{model,        state,
-                   scratch,      own,
-                   {model, state, scratch, own.sums}, boids.flocks,
-                   boids.hidden != nullptr};
+  Motion<D> motion{
+      model, state, scratch, own, {model, state, scratch, own.sums}, boids.flocks, boids.hidden != nullptr};
   for (std::size_t block = first; block < last; ++block) {
     const auto batches = block_at(scratch, block);
     const std::size_t begin = batches.front().begin;
@@ -157,9 +155,11 @@ void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* wat
   prepare(model, state, scratch, workers);
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
   const Boids boids = boids_of(model, state, scratch);
-  if (model.uses_totals) population_totals<D>(boids, model.flocks.size(), workers, scratch.total_parts, scratch.totals);
-  const NeighbourQuestion question{
-      &model, scratch.is_indexed ? scratch.index.get() : nullptr, image_of(model), scratch.totals, state.step, &scratch.passes};
+  if (model.uses_totals)
+    population_totals<D>(boids, model.flocks.size(), workers, scratch.total_parts, scratch.totals);
+  const NeighbourQuestion question{&model,          scratch.is_indexed ? scratch.index.get() : nullptr,
+                                   image_of(model), scratch.totals,
+                                   state.step,      &scratch.passes};
   find_batches(state, scratch);
   sum_cells<D>(boids, scratch, workers);
   weigh_blocks<D>(model, boids, scratch, workers);

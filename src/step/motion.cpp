@@ -26,8 +26,8 @@ void move_boid(Motion<D>& motion, std::size_t i) {
   Vec<D> velocity = old_velocity + motion.steering.acceleration(i) * model.dt;
   velocity = limited(velocity, flock.min_speed, flock.max_speed);
   if (flock.noise_turn != 0)
-    velocity = turned_at_random(velocity, flock.noise_turn, motion.state.id[i],
-                                {model.seed, motion.state.step});
+    velocity =
+        turned_at_random(velocity, flock.noise_turn, motion.state.id[i], {model.seed, motion.state.step});
   const bool semi_implicit = model.integrator == Integrator::semi_implicit_euler;
   Vec<D> position = old_position + (semi_implicit ? velocity : old_velocity) * model.dt;
   const bool was_sound = all_sound(position) && all_sound(velocity);

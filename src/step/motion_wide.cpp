@@ -169,7 +169,8 @@ HWY_INLINE LaneVec<D> Feel(const TermModel& term, const Group<D>& group) {
 template <int D>
 bool IsSilent(const Motion<D>& motion, const TermModel& term) {
   if (term.kind == TermKind::pointer) return !motion.state.pointer.pressed;
-  return term.kind == TermKind::custom && motion.scratch.custom[static_cast<std::size_t>(term.row)][0].empty();
+  return term.kind == TermKind::custom &&
+         motion.scratch.custom[static_cast<std::size_t>(term.row)][0].empty();
 }
 
 HWY_INLINE bool AllWithin(Lanes_mask counted, Lanes value, float most) {
@@ -183,8 +184,8 @@ HWY_INLINE LaneVec<D> Capped(const LaneVec<D>& v, Lanes size, float longest) {
   const Floats d;
   const Lanes one = hn::Set(d, 1.0f);
   const auto is_longer = hn::Gt(size, hn::Set(d, longest));
-  return Scaled(v, hn::Div(hn::IfThenElse(is_longer, hn::Set(d, longest), one),
-                           hn::IfThenElse(is_longer, size, one)));
+  return Scaled(
+      v, hn::Div(hn::IfThenElse(is_longer, hn::Set(d, longest), one), hn::IfThenElse(is_longer, size, one)));
 }
 
 template <int D>
@@ -218,7 +219,8 @@ HWY_INLINE LaneVec<D> BoundaryTurn(const Model& model, const LaneVec<D>& positio
 
 // Where a boid leaves a space that wraps or bounces, it is brought back alone.
 template <int D>
-HWY_INLINE void KeepInside(const Group<D>& group, Lanes_mask counted, LaneVec<D>& position, LaneVec<D>& velocity) {
+HWY_INLINE void KeepInside(const Group<D>& group, Lanes_mask counted, LaneVec<D>& position,
+                           LaneVec<D>& velocity) {
   const Floats d;
   const Model& model = group.motion.model;
   if (model.boundary != BoundaryKind::wrap && model.boundary != BoundaryKind::bounce) return;
@@ -269,14 +271,13 @@ HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
   constexpr float most = std::numeric_limits<float>::max();
   LaneVec<D> felt = Zeros<D>();
   for (const TermModel& term : group.flock.terms) {
-    if (!IsSilent(group.motion, term))
-      felt = Sum(felt, Scaled(Feel(term, group), hn::Set(d, term.weight)));
+    if (!IsSilent(group.motion, term)) felt = Sum(felt, Scaled(Feel(term, group), hn::Set(d, term.weight)));
   }
   const Lanes size = Length(felt);
   if (!AllWithin(counted, size, most)) return false;
   LaneVec<D> acceleration = Capped(felt, size, group.flock.max_acceleration);
-  acceleration = Sum(acceleration, model.boundary == BoundaryKind::turn ? BoundaryTurn(model, group.position)
-                                                                        : Zeros<D>());
+  acceleration = Sum(acceleration,
+                     model.boundary == BoundaryKind::turn ? BoundaryTurn(model, group.position) : Zeros<D>());
   const Lanes dt = hn::Set(d, model.dt);
   LaneVec<D> velocity = Sum(group.velocity, Scaled(acceleration, dt));
   const Lanes speed = Length(velocity);
@@ -289,8 +290,10 @@ HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
   if (!AreSound(counted, position)) return false;
   for (int axis = 0; axis < D; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    hn::BlendedStore(position.at[axis], counted, d, group.motion.scratch.previous_position[i].data() + group.first);
-    hn::BlendedStore(velocity.at[axis], counted, d, group.motion.scratch.previous_velocity[i].data() + group.first);
+    hn::BlendedStore(position.at[axis], counted, d,
+                     group.motion.scratch.previous_position[i].data() + group.first);
+    hn::BlendedStore(velocity.at[axis], counted, d,
+                     group.motion.scratch.previous_velocity[i].data() + group.first);
   }
   return true;
 }
@@ -318,10 +321,7 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
   for (std::size_t f = 0; f < motion.model.flocks.size(); ++f) {
     const auto counted = MembersOf(motion, first, f);
     if (hn::AllFalse(d, counted)) continue;
-    const Group<D> group{motion,
-                         motion.model.flocks[f],
-                         first,
-                         LoadVec<D>(motion.state.position, first),
+    const Group<D> group{motion, motion.model.flocks[f], first, LoadVec<D>(motion.state.position, first),
                          LoadVec<D>(motion.state.velocity, first)};
     if (!HasLanes(group.flock) || !MoveGroup(group, counted)) move_plain(motion, first, first + width);
   }
@@ -332,7 +332,8 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
 template <int D>
 HWY_INLINE void MoveAll(Motion<D>& motion, std::size_t begin, std::size_t end) {
   if (end - begin < width || motion.model.uses_wander) return move_plain(motion, begin, end);
-  for (std::size_t first = begin; first < end; first += width) MoveLanes(motion, std::min(first, end - width));
+  for (std::size_t first = begin; first < end; first += width)
+    MoveLanes(motion, std::min(first, end - width));
 }
 
 void MoveWide2(Motion<2>& motion, std::size_t begin, std::size_t end) {

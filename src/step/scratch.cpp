@@ -38,8 +38,8 @@ void poison(Scratch& scratch) {
     part.sums.spoil();
   }
   for (Columns& columns : scratch.custom) spoil(columns);
-  for (Columns* columns : {&scratch.heading, &scratch.next_colour,
-                           &scratch.previous_position, &scratch.previous_velocity}) {
+  for (Columns* columns :
+       {&scratch.heading, &scratch.next_colour, &scratch.previous_position, &scratch.previous_velocity}) {
     spoil(*columns);
   }
 }

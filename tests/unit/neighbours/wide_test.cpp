@@ -32,7 +32,7 @@ enum class Option {
 };
 constexpr Option every_option[] = {Option::none,      Option::rings,      Option::edges,   Option::views,
                                    Option::strengths, Option::headings,   Option::colours, Option::flocks,
-                                   Option::hidden,    Option::coincident, Option::all, Option::crowd};
+                                   Option::hidden,    Option::coincident, Option::all,     Option::crowd};
 
 struct Scene {
   RandomWorld world;
@@ -169,7 +169,8 @@ std::vector<NeighbourSum> sums_of(const Scene& scene) {
                               : neighbour_sums<2>(boids, batches, boids, question, scratch, block);
   std::vector<NeighbourSum> sums(scene.world.size() * rows);
   for (std::size_t i = 0; i < scene.world.size(); ++i) {
-    for (std::size_t r = 0; r < scene.model.flocks[scene.flock[i]].rows.size() && scene.world.hidden[i] == 0; ++r)
+    for (std::size_t r = 0; r < scene.model.flocks[scene.flock[i]].rows.size() && scene.world.hidden[i] == 0;
+         ++r)
       sums[i * rows + r] = block.at(r, i);
   }
   return sums;
