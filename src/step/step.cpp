@@ -80,7 +80,7 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
   scratch.index->build(cloud, model.reach, workers, scratch.order);
   const double crowding = scratch.index->crowding();
   scratch.passes.plan(model, is_wide_in_use(), crowding);
-  if (scratch.passes.has_dense()) {
+  if (scratch.passes.has_dense() && scratch.index->layout().rows > 0) {
     cloud.fineness = fineness_for(model.dimensions, crowding);
     scratch.index->build(cloud, model.reach, workers, scratch.order);
   }
