@@ -580,23 +580,33 @@ bool HasOptions(const WideBatch& batch, const WideProgram& program) {
   return false;
 }
 
-template <int D, class... Plans>
-bool SumByOneOf(const WideBatch& batch, const WideProgram& program) {
-  return ((Fits<Plans>(program) && (SumBatchBy<D, Plans>(batch), true)) || ...);
-}
+template <class... Plans>
+struct PlanList {
+  template <int D>
+  static bool Sum(const WideBatch& batch, const WideProgram& program) {
+    return ((Fits<Plans>(program) && (SumBatchBy<D, Plans>(batch), true)) || ...);
+  }
+};
+
+// The programs that have plans; every other one runs as any program does.
+using enum WideAddend;
+#ifdef STURNUS_FEW_PLANS
+using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>>;
+using PlansWithOptions = PlanList<Plan<2, true, grows, velocity, grows>>;
+#else
+using SimplePlans =
+    PlanList<Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
+             Plan<2, false, grows, velocity, grows>, Plan<1, false, fades>, Plan<1, false, grows>,
+             Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>;
+using PlansWithOptions = PlanList<Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
+                                  Plan<3, true, fades, heading, fades>>;
+#endif
 
 template <int D>
 void SumBatch(const WideBatch& batch) {
-  using enum WideAddend;
   const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
-  const bool done =
-      HasOptions(batch, program)
-          ? SumByOneOf<D, Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
-                       Plan<3, true, fades, heading, fades>>(batch, program)
-          : SumByOneOf<D, Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
-                       Plan<2, false, grows, velocity, grows>, Plan<1, false, fades>, Plan<1, false, grows>,
-                       Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>(batch,
-                                                                                                program);
+  const bool done = HasOptions(batch, program) ? PlansWithOptions::Sum<D>(batch, program)
+                                               : SimplePlans::Sum<D>(batch, program);
   if (!done) SumBatchAny<D>(batch);
 }
 
