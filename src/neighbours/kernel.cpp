@@ -276,6 +276,7 @@ void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& 
 }
 
 void SumBlock::spoil() {
+  if (values_.empty()) return;
   std::memset(values_.data(), 0xff, values_.size() * sizeof(float));
   std::memset(counts_.data(), 0xff, counts_.size() * sizeof(std::uint32_t));
 }
