@@ -3,11 +3,11 @@
 
 namespace sturnus {
 
-Vec<3> drifted_colour(const FlockModel& flock, const Vec<3>& colour, const NeighbourSum* neighbours,
+Vec<3> drifted_colour(const FlockModel& flock, const Vec<3>& colour, const NeighbourSum& neighbours,
                       std::uint64_t id, const Moment& moment) {
   Vec<3> next = colour;
-  if (neighbours != nullptr && neighbours->count > 0) {
-    const Vec<3> mean = Vec<3>{neighbours->value} * (1.0f / static_cast<float>(neighbours->count));
+  if (neighbours.count > 0) {
+    const Vec<3> mean = Vec<3>{neighbours.value} * (1.0f / static_cast<float>(neighbours.count));
     next += (mean - colour) * flock.colour_averaging;
   }
   if (flock.colour_noise > 0) {

@@ -46,7 +46,7 @@ template <int D>
 void keep_inside(const Model& model, Vec<D>& position, Vec<D>& velocity);
 
 /// The next colour: toward the neighbours' mean, plus noise, clamped to [0, 1].
-Vec<3> drifted_colour(const FlockModel& flock, const Vec<3>& colour, const NeighbourSum* neighbours,
+Vec<3> drifted_colour(const FlockModel& flock, const Vec<3>& colour, const NeighbourSum& neighbours,
                       std::uint64_t id, const Moment& moment);
 
 }  // namespace sturnus

@@ -1,6 +1,7 @@
 // From places to places, block by block: neighbours, steering, motion.
 #include "step/motion.h"
 #include "step/step.h"
+#include "step/watched.h"
 #include "world/columns.h"
 
 namespace sturnus {
@@ -77,15 +78,12 @@ void weigh_blocks(const Model& model, const Boids& boids, Scratch& scratch, cons
 void drift_colours(const Model& model, const State& state, Scratch& scratch, const SumBlock& sums,
                    std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
+    if (state.quarantined[i] != 0) continue;
     const FlockModel& flock = model.flocks[state.flock[i]];
-    const NeighbourSum sum = flock.colour_row < 0 || state.quarantined[i] != 0
-                                 ? NeighbourSum{}
-                                 : sums.at(static_cast<std::size_t>(flock.colour_row), i);
-    const Vec<3> colour = at<3>(state.colour, i);
+    NeighbourSum sum;
+    if (flock.colour_row >= 0) sum = sums.at(static_cast<std::size_t>(flock.colour_row), i);
     put(scratch.next_colour, i,
-        state.quarantined[i] != 0
-            ? colour
-            : drifted_colour(flock, colour, &sum, state.id[i], {model.seed, state.step}));
+        drifted_colour(flock, at<3>(state.colour, i), sum, state.id[i], {model.seed, state.step}));
   }
 }
 
@@ -121,14 +119,14 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
     const auto batches = block_at(scratch, block);
     const std::size_t begin = batches.front().begin;
     const std::size_t end = batches.back().end;
-    if (watch != nullptr) watch->begin(Phase::neighbours, part);
-    own.sums.fit(model.most_rows, begin, end);
-    neighbour_sums<D>(boids, batches, boids, question, own.kernel, own.sums);
-    if (watch != nullptr) watch->end(Phase::neighbours, part);
-    if (watch != nullptr) watch->begin(Phase::motion, part);
+    {
+      const Watched watched(watch, Phase::neighbours, part);
+      own.sums.fit(model.most_rows, begin, end);
+      neighbour_sums<D>(boids, batches, boids, question, own.kernel, own.sums);
+    }
+    const Watched watched(watch, Phase::motion, part);
     question.passes->are_wide() ? move_wide(motion, begin, end) : move_plain(motion, begin, end);
     if (model.uses_colour) drift_colours(model, state, scratch, own.sums, begin, end);
-    if (watch != nullptr) watch->end(Phase::motion, part);
   }
 }
 

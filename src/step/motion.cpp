@@ -46,12 +46,7 @@ void move_boid(Motion<D>& motion, std::size_t i) {
 template <int D>
 void move_plain(Motion<D>& motion, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    if (motion.state.quarantined[i] == 0) {
-      move_boid(motion, i);
-    } else {
-      put(motion.scratch.previous_position, i, at<D>(motion.state.position, i));
-      put(motion.scratch.previous_velocity, i, at<D>(motion.state.velocity, i));
-    }
+    if (motion.state.quarantined[i] == 0) move_boid(motion, i);
   }
 }
 

@@ -18,7 +18,7 @@ struct Motion {
   bool hides = false;        ///< whether some boid of all is out of play
 };
 
-/// Moves the boids [begin, end), one at a time.
+/// Moves those of the boids [begin, end) that are in play, one at a time.
 template <int D>
 void move_plain(Motion<D>& motion, std::size_t begin, std::size_t end);
 

@@ -1,6 +1,7 @@
 // One step of a flock, in the order in which the papers tell it.
 #include "step/step.h"
 
+#include "step/watched.h"
 #include "world/columns.h"
 #include "world/state.h"
 
@@ -8,11 +9,12 @@ namespace sturnus {
 namespace {
 
 // Asks the user's rules, and brings accelerations from outside into the order that the boids now have.
-void ask_outside(const ScenarioDef& scenario, const State& state, Scratch& scratch, const Outside& outside) {
+void ask_outside(const ScenarioDef& scenario, const State& state, Scratch& scratch, const Outside& outside,
+                 const Workers& workers) {
   scratch.custom.resize(outside.rules.size() + 1);
   Columns& external = scratch.custom.front();
   external = outside.external;
-  if (external[0].size() == state.size()) reorder(external, scratch.order);
+  if (external[0].size() == state.size()) reorder(external, scratch.order, scratch.spare.floats, workers);
   if (external[0].size() != state.size()) external = {};
   const Columns none;
   const View view(state, scenario, none, none);
@@ -89,11 +91,12 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
 
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
           const Outside& outside, const Workers& workers) {
-  if (outside.watch != nullptr) outside.watch->begin(Phase::sort, 0);
-  quarantine(model, state, workers);
-  sort_by_place(model, state, scratch, workers);
-  ask_outside(scenario, state, scratch, outside);
-  if (outside.watch != nullptr) outside.watch->end(Phase::sort, 0);
+  {
+    const Watched watched(outside.watch, Phase::sort, 0);
+    quarantine(model, state, workers);
+    sort_by_place(model, state, scratch, workers);
+    ask_outside(scenario, state, scratch, outside, workers);
+  }
   flock(model, state, scratch, outside.watch, workers);
   ++state.step;
 }

@@ -59,15 +59,13 @@ void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare
   permute(state.id, order, spare.ids, workers);
   if (!is_even(state.flock)) permute(state.flock, order, spare.bytes, workers);
   if (!is_even(state.quarantined)) permute(state.quarantined, order, spare.bytes, workers);
-  for (Columns* columns : {&state.position, &state.velocity, &state.wander, &state.colour}) {
-    for (auto& column : *columns) permute(column, order, spare.floats, workers);
-  }
+  for (Columns* columns : {&state.position, &state.velocity, &state.wander, &state.colour})
+    reorder(*columns, order, spare.floats, workers);
 }
 
-void reorder(Columns& columns, const std::vector<std::uint32_t>& order) {
-  std::vector<float> moved;
-  const Workers alone(1);
-  for (auto& column : columns) permute(column, order, moved, alone);
+void reorder(Columns& columns, const std::vector<std::uint32_t>& order, std::vector<float>& spare,
+             const Workers& workers) {
+  for (auto& column : columns) permute(column, order, spare, workers);
 }
 
 void keep(State& state, const std::vector<std::uint8_t>& marks) {

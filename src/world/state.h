@@ -34,7 +34,8 @@ struct Spare {
 /// Puts boid order[i] at place i. `order` is a permutation, or empty for "as it is".
 void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare, const Workers& workers);
 /// The same for arrays beside the state; empty ones stay empty.
-void reorder(Columns& columns, const std::vector<std::uint32_t>& order);
+void reorder(Columns& columns, const std::vector<std::uint32_t>& order, std::vector<float>& spare,
+             const Workers& workers);
 
 /// Keeps the boids whose mark is not 0, in their order.
 void keep(State& state, const std::vector<std::uint8_t>& marks);

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "neighbours/passes.h"
-#include "worlds.h"
+#include "scene.h"
 
 namespace sturnus::test {
 
@@ -33,33 +33,13 @@ inline constexpr Gathering every_gathering[] = {Gathering::uniform, Gathering::c
 inline constexpr Gathering dense_gatherings[] = {Gathering::crowd, Gathering::clumps, Gathering::points};
 
 /// A crowd of one or more flocks, sorted into a grid of the given fineness.
-struct CrowdScene {
-  RandomWorld world;
+struct CrowdScene : Scene {
   int fineness = 1;
-  Columns velocity, heading, colour;
-  std::vector<std::uint8_t> flock;
-  Model model;
-  std::unique_ptr<NeighbourIndex> index;
 
   Cloud cloud() const {
     Cloud cloud = world.cloud();
     cloud.fineness = fineness;
     return cloud;
-  }
-  Boids boids() const {
-    Boids out;
-    out.count = world.size();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      out.position[axis] = world.position[axis].data();
-      out.velocity[axis] = velocity[axis].data();
-      out.heading[axis] = heading[axis].data();
-      out.colour[axis] = colour[axis].data();
-    }
-    out.id = world.ids.data();
-    out.flock = flock.data();
-    if (std::count(world.hidden.begin(), world.hidden.end(), 1) != 0) out.hidden = world.hidden.data();
-    out.flocks = (std::uint64_t{1} << model.flocks.size()) - 1;
-    return out;
   }
 };
 

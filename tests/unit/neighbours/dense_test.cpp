@@ -102,28 +102,9 @@ Passes planned(const CrowdScene& scene, SumPath path) {
   return passes;
 }
 
-/// The sums on the instruction set in use, over memory full of garbage; those of the hidden and those that no
-/// row asks for are zero.
+/// The sums on the instruction set in use.
 std::vector<NeighbourSum> sums_by(const CrowdScene& scene, SumPath path) {
-  const Passes passes = planned(scene, path);
-  std::vector<Span> batches;
-  scene.index->batches(batches);
-  const NeighbourQuestion question{&scene.model, scene.index.get(), scene.world.image(), {}, 0, &passes};
-  const Boids boids = scene.boids();
-  const std::size_t rows = scene.model.most_rows;
-  KernelScratch scratch;
-  SumBlock block;
-  block.fit(rows, 0, scene.world.size());
-  block.spoil();
-  scene.world.dimensions == 3 ? neighbour_sums<3>(boids, batches, boids, question, scratch, block)
-                              : neighbour_sums<2>(boids, batches, boids, question, scratch, block);
-  std::vector<NeighbourSum> sums(scene.world.size() * rows);
-  for (std::size_t i = 0; i < scene.world.size(); ++i) {
-    for (std::size_t r = 0; r < scene.model.flocks[scene.flock[i]].rows.size() && scene.world.hidden[i] == 0;
-         ++r)
-      sums[i * rows + r] = block.at(r, i);
-  }
-  return sums;
+  return sums_by(scene, planned(scene, path));
 }
 
 /// Counts boids in the rings of the dense passes, and those of them that come in whole cells.

@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "isas.h"
-#include "worlds.h"
+#include "scene.h"
 
 namespace sturnus::test {
 namespace {
@@ -33,30 +33,6 @@ enum class Option {
 constexpr Option every_option[] = {Option::none,      Option::rings,      Option::edges,   Option::views,
                                    Option::strengths, Option::headings,   Option::colours, Option::flocks,
                                    Option::hidden,    Option::coincident, Option::all,     Option::crowd};
-
-struct Scene {
-  RandomWorld world;
-  Columns velocity, heading, colour;
-  std::vector<std::uint8_t> flock;
-  Model model;
-  std::unique_ptr<NeighbourIndex> index;
-
-  Boids boids() const {
-    Boids out;
-    out.count = world.size();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      out.position[axis] = world.position[axis].data();
-      out.velocity[axis] = velocity[axis].data();
-      out.heading[axis] = heading[axis].data();
-      out.colour[axis] = colour[axis].data();
-    }
-    out.id = world.ids.data();
-    out.flock = flock.data();
-    if (std::count(world.hidden.begin(), world.hidden.end(), 1) != 0) out.hidden = world.hidden.data();
-    out.flocks = (std::uint64_t{1} << model.flocks.size()) - 1;
-    return out;
-  }
-};
 
 bool has(Option scene, Option wanted) {
   return scene == wanted || scene == Option::all || (scene == Option::crowd && wanted == Option::views);
@@ -151,29 +127,11 @@ Scene random_scene(Option option, bool wraps) {
   return scene;
 }
 
-/// The sums on the instruction set in use, over memory full of garbage; those of the hidden and those that no
-/// row asks for are zero.
+/// The sums on the instruction set in use.
 std::vector<NeighbourSum> sums_of(const Scene& scene) {
-  std::vector<Span> batches;
-  scene.index->batches(batches);
   Passes passes;
   passes.plan(scene.model, isa_in_use() != "plain");
-  const NeighbourQuestion question{&scene.model, scene.index.get(), scene.world.image(), {}, 0, &passes};
-  const Boids boids = scene.boids();
-  const std::size_t rows = scene.model.most_rows;
-  KernelScratch scratch;
-  SumBlock block;
-  block.fit(rows, 0, scene.world.size());
-  block.spoil();
-  scene.world.dimensions == 3 ? neighbour_sums<3>(boids, batches, boids, question, scratch, block)
-                              : neighbour_sums<2>(boids, batches, boids, question, scratch, block);
-  std::vector<NeighbourSum> sums(scene.world.size() * rows);
-  for (std::size_t i = 0; i < scene.world.size(); ++i) {
-    for (std::size_t r = 0; r < scene.model.flocks[scene.flock[i]].rows.size() && scene.world.hidden[i] == 0;
-         ++r)
-      sums[i * rows + r] = block.at(r, i);
-  }
-  return sums;
+  return sums_by(scene, passes);
 }
 
 void expect_equal_bits(const Scene& scene, Option option) {

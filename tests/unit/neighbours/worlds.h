@@ -49,7 +49,8 @@ struct RandomWorld {
   /// Puts the boids in the order that an index asks for.
   void reorder_as(const std::vector<std::uint32_t>& order) {
     if (order.empty()) return;
-    reorder(position, order);
+    std::vector<float> spare;
+    reorder(position, order, spare, Workers(1));
     const auto old_hidden = hidden;
     const auto old_ids = ids;
     for (std::size_t i = 0; i < order.size(); ++i) {
