@@ -12,6 +12,7 @@ namespace sturnus {
 namespace {
 
 constexpr std::size_t most_flocks = 64;
+constexpr std::size_t most_terms = 63;  // and one for the colour
 
 class Checker {
  public:
@@ -111,6 +112,7 @@ class Checker {
       const FlockDef& flock = scenario_.flocks[i];
       const std::string prefix = say("flock.", flock.name, ".");
       check_name(i, prefix);
+      check_rows(flock, i);
       if (flock.max_speed < flock.min_speed) {
         say_error(prefix + "max_speed",
                   say(number_text(flock.max_speed), " is below min_speed ", number_text(flock.min_speed)));
@@ -120,6 +122,15 @@ class Checker {
       check_colour(flock.colour, prefix + "colour.");
       check_seek(scenario_.pointer.form, flock, "pointer.form");
     }
+  }
+
+  // Which rows a step sums together are bits of one number.
+  void check_rows(const FlockDef& flock, std::size_t i) {
+    const std::size_t terms =
+        flock.separation.size() + flock.alignment.size() + flock.cohesion.size() + flock.flee.size();
+    if (terms > most_terms)
+      say_error(say("flock.", names_[i]),
+                say("there are ", terms, " terms over neighbours; a flock can have ", most_terms));
   }
 
   void check_name(std::size_t i, const std::string& prefix) {

@@ -140,6 +140,16 @@ TEST(Check, Names) {
   expect_error([](ScenarioDef& s) { s.flocks.assign(65, FlockDef{}); }, "flock", "64");
 }
 
+TEST(Check, TermsOverNeighbours) {
+  const auto terms = [](std::size_t count) {
+    return [count](ScenarioDef& s) { flock_of(s).separation.assign(count, Separation{}); };
+  };
+  expect_error(terms(62), "flock.boids", "there are 64 terms over neighbours; a flock can have 63");
+  ScenarioDef most;
+  terms(61)(most);
+  EXPECT_FALSE(has_errors(check(most)));
+}
+
 TEST(Check, Start) {
   const auto start = [](ScenarioDef& s) -> Start& { return s.flocks.front().start; };
   expect_error([&](ScenarioDef& s) { start(s).region = StartRegion::box; }, "flock.boids.start.region",
