@@ -43,6 +43,7 @@ void fill_times(BenchRow& row, const BenchTimes& times) {
   row.wall = spread_of(times.wall);
   row.cpu = spread_of(times.cpu);
   row.share = shares(times.phases);
+  row.candidates = times.candidates;
 }
 
 // A parameter that is a word, without its quotation marks.

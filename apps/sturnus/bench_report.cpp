@@ -37,7 +37,7 @@ std::vector<std::string> cells_of(const BenchRow& row) {
           fixed(row.time().median),
           fixed(row.cpu.min),
           fixed(row.steps_per_second()),
-          millions(row.neighbour_pairs_per_second()),
+          millions(row.candidate_pairs_per_second()),
           percent(row.share[0]),
           percent(row.share[1]),
           percent(row.share[2]),
@@ -79,6 +79,8 @@ Json row_json(const BenchRow& row) {
   out["path"] = row.path;
   out["ns_per_boid_and_step"] = time_json(row);
   out["steps_per_second"] = number_or_null(row.steps_per_second());
+  out["candidates"] = number_or_null(row.candidates);
+  out["candidate_pairs_per_second"] = number_or_null(row.candidate_pairs_per_second());
   out["neighbours"] = number_or_null(row.neighbours);
   out["neighbour_pairs_per_second"] = number_or_null(row.neighbour_pairs_per_second());
   out["share"] = share_json(row);
@@ -97,7 +99,7 @@ BenchTable::BenchTable(const std::vector<sturnus::ScenarioDef>& scenarios, std::
               "threads",    "ISA",
               "clock",      "min ns",
               "median ns",  "CPU ns",
-              "steps/s",    "neighbour pairs/s",
+              "steps/s",    "candidate pairs/s",
               "sort",       "neighbours",
               "motion",     "peak MB",
               "bytes/boid", "hash after " + counted(steps, "step")} {

@@ -26,6 +26,10 @@ double BenchRow::steps_per_second() const {
   return 1e9 / (time().min * static_cast<double>(boids));
 }
 
+double BenchRow::candidate_pairs_per_second() const {
+  return candidates * static_cast<double>(boids) * steps_per_second();
+}
+
 double BenchRow::neighbour_pairs_per_second() const {
   return neighbours * static_cast<double>(boids) * steps_per_second();
 }

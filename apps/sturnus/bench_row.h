@@ -27,6 +27,7 @@ struct BenchRow {
   /// The same in CPU time: of the one thread; of several, the busiest one's in each phase.
   Spread cpu;
   std::array<double, 3> share{};  ///< of sort, neighbours and motion in the CPU time, 0 to 1
+  double candidates = 0;          ///< of a boid in a step, on average: whose distance was asked for
   double neighbours = 0;          ///< of a boid, on average, at the end; NaN where that means nothing
 
   std::uint64_t peak_memory = 0;  ///< bytes
@@ -41,6 +42,7 @@ struct BenchRow {
   const char* clock() const { return threads == 1 ? "CPU" : "wall"; }
   /// By the fastest repeat.
   double steps_per_second() const;
+  double candidate_pairs_per_second() const;
   double neighbour_pairs_per_second() const;
 };
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 #include <numeric>
+#include <utility>
 
 namespace program {
 namespace {
@@ -46,6 +47,7 @@ bool add_repeat(sturnus::Simulation& flock, PhaseClock& clock, std::uint64_t ste
   }
   const double cpu = flock.threads() == 1 ? thread_seconds() - own : total(phases);
   times.wall.push_back(1e9 * (wall_seconds() - wall) / std::max(boid_steps, 1.0));
+  times.candidates += static_cast<double>(clock.take_pairs()) / std::max(boid_steps, 1.0);
   times.cpu.push_back(1e9 * cpu / std::max(boid_steps, 1.0));
   add(times.phases, phases);
   return true;
@@ -61,6 +63,16 @@ void PhaseClock::end(sturnus::Phase phase, int part) {
   Part& own = parts_[static_cast<std::size_t>(part)];
   const auto which = static_cast<std::size_t>(phase);
   own.spent[which] += thread_seconds() - own.began[which];
+}
+
+void PhaseClock::looked_at(std::uint64_t pairs, int part) {
+  parts_[static_cast<std::size_t>(part)].pairs += pairs;
+}
+
+std::uint64_t PhaseClock::take_pairs() {
+  std::uint64_t sum = 0;
+  for (Part& part : parts_) sum += std::exchange(part.pairs, 0);
+  return sum;
 }
 
 PhaseClock::Seconds PhaseClock::take_busiest() {
@@ -83,6 +95,7 @@ std::optional<BenchTimes> measure_steps(sturnus::Simulation& flock, const BenchL
   for (std::uint64_t repeat = 0; repeat < length.repeats && goes_on; ++repeat)
     goes_on = add_repeat(flock, clock, length.steps, interrupts, times);
   flock.watch(nullptr);
+  times.candidates /= static_cast<double>(std::max<std::size_t>(times.wall.size(), 1));
   if (!goes_on) return {};
   return times;
 }

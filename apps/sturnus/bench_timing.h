@@ -19,15 +19,19 @@ class PhaseClock : public sturnus::StepWatch {
   explicit PhaseClock(int threads) : parts_(static_cast<std::size_t>(threads)) {}
   void begin(sturnus::Phase phase, int part) override;
   void end(sturnus::Phase phase, int part) override;
+  void looked_at(std::uint64_t pairs, int part) override;
 
   /// Of each phase the busiest thread's time since the last call: what the phase would last on cores of one's
   /// own.
   Seconds take_busiest();
+  /// Candidate pairs since the last call.
+  std::uint64_t take_pairs();
 
  private:
   // Each on a cache line of its own, so that no thread waits for another's notes.
   struct alignas(64) Part {
     Seconds began{}, spent{};
+    std::uint64_t pairs = 0;
   };
   std::vector<Part> parts_;
 };
@@ -43,6 +47,7 @@ struct BenchLength {
 struct BenchTimes {
   std::vector<double> wall, cpu;
   PhaseClock::Seconds phases{};  ///< over all repeats
+  double candidates = 0;         ///< of a boid in a step, on average over all repeats
 };
 
 /// Warms up and measures; nothing when it was interrupted.

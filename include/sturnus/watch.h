@@ -17,6 +17,12 @@ class StepWatch {
   virtual ~StepWatch() = default;
   virtual void begin(Phase phase, int part) = 0;
   virtual void end(Phase phase, int part) = 0;
+  /// So many candidate pairs were looked at since the last call with this `part`: a boid and one who may be
+  /// near, whose distance was computed. Neighbours that come in whole cells are not among them.
+  virtual void looked_at(std::uint64_t pairs, int part) {
+    static_cast<void>(pairs);
+    static_cast<void>(part);
+  }
 };
 
 }  // namespace sturnus

@@ -149,6 +149,7 @@ struct KernelScratch {
   std::vector<RunningSum> running;
   RingParts ring;
   std::vector<CellRun> own_runs;
+  std::uint64_t pairs = 0;  ///< of a boid and a candidate, since somebody set it to 0
 };
 
 /// For the targets of each batch: every row of the target's flock, summed over its neighbours among the

@@ -79,6 +79,7 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
     for (const SumPass& pass : question.passes->all()) {
       if ((pass.steered & members.flocks) == 0) continue;
       const auto spans = find_candidates(question.index, box, pass, scratch);
+      scratch.pairs += std::uint64_t{batch.end - batch.begin} * candidates(spans);
       if (question.passes->are_wide()) {
         wide_batch<D>(targets, batch, members, spans, image, pass, sums);
       } else {

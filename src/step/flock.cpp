@@ -1,4 +1,6 @@
 // From places to places, block by block: neighbours, steering, motion.
+#include <utility>
+
 #include "step/motion.h"
 #include "step/step.h"
 #include "step/watched.h"
@@ -124,6 +126,7 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
       own.sums.fit(model.most_rows, begin, end);
       neighbour_sums<D>(boids, batches, boids, question, own.kernel, own.sums);
     }
+    if (watch != nullptr) watch->looked_at(std::exchange(own.kernel.pairs, 0), part);
     const Watched watched(watch, Phase::motion, part);
     question.passes->are_wide() ? move_wide(motion, begin, end) : move_plain(motion, begin, end);
     if (model.uses_colour) drift_colours(model, state, scratch, own.sums, begin, end);

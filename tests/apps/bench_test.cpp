@@ -163,10 +163,21 @@ TEST_F(Bench, TheFiguresAgreeWithEachOther) {
     EXPECT_NEAR(one["neighbour_pairs_per_second"].get<double>(),
                 400 * one["neighbours"].get<double>() * steps_per_second, 1);
     EXPECT_NEAR(one["neighbours"].get<double>(), 20, 3);
+    EXPECT_NEAR(one["candidate_pairs_per_second"].get<double>(),
+                400 * one["candidates"].get<double>() * steps_per_second, 1);
+    EXPECT_GT(one["candidates"].get<double>(), one["neighbours"].get<double>());
+    EXPECT_LT(one["candidates"].get<double>(), 400);
     double shares = 0;
     for (const char* phase : {"sort", "neighbours", "motion"}) shares += one["share"][phase].get<double>();
     EXPECT_NEAR(shares, 1, 1e-9);
   }
+}
+
+TEST_F(Bench, WhoLooksAtAllPairsHasAllBoidsAsCandidates) {
+  run_well({"bench", "bench-3d", "--boids", "300", "--threads", "1,2", "--isa", "scalar,best", "--index",
+            "all-pairs", "--quick", "--json", "b.json"});
+  for (const nlohmann::json& one : json_of("b.json")["cases"])
+    EXPECT_DOUBLE_EQ(one["candidates"].get<double>(), 300);
 }
 
 TEST_F(Bench, WhatTheMachineLacksIsSkippedAndSaid) {
