@@ -45,7 +45,7 @@ class Running {
   /// Waits until the program handles Ctrl-C, i.e. works; false when it ended before.
   bool wait_until_it_works() const;
   /// Waits for its end, but not for ever: then it is killed.
-  Ended wait(std::chrono::seconds longest = std::chrono::seconds(60));
+  Ended wait(std::chrono::seconds longest = std::chrono::seconds(240));
 
  private:
   pid_t id_ = -1;
