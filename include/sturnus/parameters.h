@@ -77,9 +77,11 @@ struct Items {
   std::function<void(std::size_t)> resize;
   std::function<void(std::size_t, FieldVisitor&)> visit;
   std::function<std::string(std::size_t)> name;  ///< how paths call an item; empty function: by its index
-  std::function<int*(std::size_t)> order;        ///< place in the file, where it matters; may be empty
-  bool at_most_one = false;                      ///< a table that may be absent
-  std::string_view short_key;                    ///< a plain value in place of the table means this key
+  /// Calls an item something; given where names may be left out and are then made up.
+  std::function<void(std::size_t, std::string)> rename;
+  std::function<int*(std::size_t)> order;  ///< place in the file, where it matters; may be empty
+  bool at_most_one = false;                ///< a table that may be absent
+  std::string_view short_key;              ///< a plain value in place of the table means this key
 };
 
 /// What a visitor of the parameter list implements. Tables nest; keys come in the order of the documentation.

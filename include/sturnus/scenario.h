@@ -26,7 +26,13 @@ enum class Strength { grows, constant, fades };  ///< one neighbour's pull over 
 enum class Combine { sum, mean };                ///< of the neighbours' contributions
 enum class Match { velocity, heading };          ///< what alignment averages
 enum class Arbitration { weighted, budget, first };
-enum class SteeringForm { heading, seek, linear };
+/// What a place makes a boid feel, o being the offset to it. heading: unit(o) - heading. seek: unit(o)
+/// max_speed
+/// - v. linear: o. arrive: as seek, with the speed max_speed min(1, |o| / slowing). orbit: unit(o) max_speed,
+/// the desired velocity itself.
+enum class SteeringForm { heading, seek, linear, arrive, orbit };
+enum class TargetKind { attract, repel };
+enum class TargetMotion { still, line, circle };
 enum class BoundaryKind { open, wrap, turn, bounce };
 enum class Integrator { semi_implicit_euler, explicit_euler };
 enum class IndexKind { grid, tree, all_pairs };
@@ -158,6 +164,30 @@ struct Colour {
   Whose of = {};           ///< whose colours are averaged
 };
 
+/// A place that attracts or repels; o, the offset to it, is turned round by one that repels.
+struct TargetDef {
+  std::string name;  ///< what paths call it; not given: "target", "target-2", ...
+  TargetKind kind = TargetKind::attract;
+  SteeringForm form = SteeringForm::heading;
+  Coordinates at;            ///< length; where it is at time 0, or the middle of its circle
+  double weight = 0.1;       ///< of its pull in the sum over all targets
+  double radius = infinity;  ///< length; who is farther feels nothing
+  double slowing = 50.0;     ///< arrive: length; nearer than this the sought speed falls
+  Whose felt_by = {Whose::Kind::all, {}};
+  TargetMotion motion = TargetMotion::still;
+  Coordinates velocity;   ///< line: length per time; it wraps or bounces with the space
+  double circle = 100.0;  ///< circle: radius, length, in the plane of x and y
+  double period = 600.0;  ///< circle: time for a turn; negative: clockwise
+};
+
+/// How a flock feels the targets: their sum, those of form "heading" averaged by kind.
+struct TargetSense {
+  double weight = 1.0;
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
 /// A kind of boid: how many, how they start, what they feel, what limits them.
 struct FlockDef {
   std::string name = "boids";
@@ -175,6 +205,7 @@ struct FlockDef {
   std::optional<Cruise> cruise;
   std::optional<Wander> wander;
   std::optional<Noise> noise;
+  TargetSense targets;
   Colour colour;
   std::optional<GlyphStyle> glyph;  ///< how a boid is drawn; not given: dart in 2D, cone in 3D
   double size = 5.0;                ///< length of a drawn boid
@@ -214,8 +245,10 @@ struct Index {
 /// The mouse or any other point that a person moves: attracts or repels while pressed.
 struct Pointer {
   double weight = 0.1;
-  double radius = infinity;  ///< length; who is farther feels nothing
+  double radius = infinity;                 ///< length; who is farther feels nothing
+  std::optional<double> repel_radius = {};  ///< length; the same where it repels; not given: radius
   SteeringForm form = SteeringForm::heading;
+  double slowing = 50.0;  ///< arrive: length; nearer than this the sought speed falls
   std::int64_t priority = 0;
 };
 
@@ -233,7 +266,7 @@ struct AddBoids {
   Coordinates at;
   double radius = 0.0;
 };
-/// Remove every boid within `radius` (length) of a place.
+/// Remove every boid and every target within `radius` (length) of a place.
 struct EraseBoids {
   Coordinates at;
   double radius = 0.0;
@@ -251,7 +284,22 @@ struct MovePointer {
   bool pressed = true;
 };
 
-using Command = std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer>;
+/// Make everyone within `radius` (length) of a place fly straight away from it at full speed: a burst.
+struct ScatterBoids {
+  Coordinates at;
+  double radius = 0.0;
+};
+/// Put a target down; from then on it is one of the scenario's, called by the next free name.
+struct PlaceTarget {
+  TargetKind kind = TargetKind::attract;
+  Coordinates at;
+  SteeringForm form = SteeringForm::heading;
+  double weight = 0.1;
+  double radius = infinity;
+};
+
+using Command =
+    std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids, PlaceTarget>;
 
 /// A command and the step before which it is carried out.
 struct Event {
@@ -295,6 +343,7 @@ struct ScenarioDef {
   Index index;
   Pointer pointer;
   CameraDef camera;
+  std::vector<TargetDef> targets;
   std::vector<FlockDef> flocks = {FlockDef{}};
 
   std::int64_t boid_count() const {

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/model.h"
+#include "scenario/targets.h"
 
 namespace sturnus {
 namespace {
@@ -38,6 +39,25 @@ void add_outline(const View& view, const SceneColours& colours, DrawList& list) 
   box.colour = colours.outline;
   box.fill = colours.surface;
   list.boxes.push_back(box);
+}
+
+// A disc in a ring, and how far it is felt.
+void add_targets(const View& view, const SceneColours& colours, DrawList& list) {
+  const ScenarioDef& scenario = view.scenario();
+  if (scenario.targets.empty()) return;
+  const Model model = compile(scenario);
+  std::vector<std::array<float, 3>> places;
+  place_targets(model, view.step(), places);
+  const auto size = static_cast<float>(scenario.flocks.front().size);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Rgba colour =
+        scenario.targets[i].kind == TargetKind::attract ? colours.attractor : colours.repeller;
+    const Vec<3> at{places[i]};
+    list.rings.push_back({at, 0.45f * size, colour, 0.0f, Layer::above});
+    list.rings.push_back({at, 0.95f * size, colour, 1.5f, Layer::above});
+    if (!std::isinf(scenario.targets[i].radius))
+      list.rings.push_back({at, model.targets[i].radius, with_alpha(colour, 0.35f), 1.0f, Layer::below});
+  }
 }
 
 void add_index(const SceneOptions& options, const SceneColours& colours, DrawList& list) {
@@ -134,6 +154,7 @@ void Trails::add_to(const View& view, const SceneColours& colours, DrawList& lis
 void make_scene(const View& view, const SceneColours& colours, const SceneOptions& options, DrawList& list) {
   add_outline(view, colours, list);
   add_index(options, colours, list);
+  add_targets(view, colours, list);
   for (std::size_t slot = 0; slot < view.size(); ++slot) {
     const FlockDef& flock = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))];
     list.glyphs.push_back({Vec<3>{view.position(slot)}, Vec<3>{view.velocity(slot)},

@@ -14,6 +14,10 @@ Vec<D> flee(const TermModel& term, const NeighbourSum& sum, const Self<D>& self,
       return narrow_to<D>(seek(widened(away), widened(self.velocity), max_speed));
     case SteeringForm::linear:
       return away;
+    case SteeringForm::orbit:
+      return unit(away) * max_speed;
+    case SteeringForm::arrive:
+      break;  // not for those who flee, as the check says
   }
   return {};
 }

@@ -1,4 +1,5 @@
 // The pointer: while pressed it attracts or repels within its range.
+#include "rules/pull.h"
 #include "rules/rules.h"
 
 namespace sturnus {
@@ -7,18 +8,11 @@ template <int D>
 Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, const Self<D>& self,
                     const Wrapping& image, float max_speed) {
   if (!pointer.pressed) return {};
+  const bool repels = pointer.mode == PointerMode::repel;
   Vec<D> o = offset(self.position, narrow_to<D>(pointer.at), image);
-  if (length(o) > model.radius) return {};
-  if (pointer.mode == PointerMode::repel) o *= -1.0f;
-  switch (model.form) {
-    case SteeringForm::heading:
-      return narrow_to<D>(face(widened(o), widened(self.velocity)));
-    case SteeringForm::seek:
-      return narrow_to<D>(seek(widened(o), widened(self.velocity), max_speed));
-    case SteeringForm::linear:
-      return o;
-  }
-  return {};
+  if (length(o) > (repels ? model.repel_radius : model.radius)) return {};
+  if (repels) o *= -1.0f;
+  return pull_of({model.form, model.slowing}, o, self, max_speed);
 }
 
 template Vec<2> pointer_pull<2>(const PointerModel&, const PointerState&, const Self<2>&, const Wrapping&,

@@ -37,6 +37,12 @@ template <int D>
 Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, const Self<D>& self,
                     const Wrapping& image, float max_speed);
 
+/// What the targets at those places make a boid of that flock feel: the sum of their pulls; those of form
+/// "heading" are averaged first, the attracting and the repelling ones each for themselves.
+template <int D>
+Vec<D> targets_pull(const Model& model, const std::vector<std::array<float, 3>>& places, std::size_t flock,
+                    const Self<D>& self, const Wrapping& image);
+
 /// Turn: the acceleration inward for every margin that the place is in.
 template <int D>
 Vec<D> boundary_turn(const Model& model, const Vec<D>& position);

@@ -25,6 +25,7 @@ class Checker {
     check_space();
     check_boundary();
     check_flocks();
+    check_targets();
     check_camera();
     check_events();
     return std::move(problems_);
@@ -120,7 +121,7 @@ class Checker {
       check_start(flock.start, prefix + "start.");
       check_terms(flock, prefix);
       check_colour(flock.colour, prefix + "colour.");
-      check_seek(scenario_.pointer.form, flock, "pointer.form");
+      check_form(scenario_.pointer.form, flock, "pointer.form");
     }
   }
 
@@ -135,19 +136,22 @@ class Checker {
 
   void check_name(std::size_t i, const std::string& prefix) {
     const std::string& name = names_[i];
+    const auto end = names_.begin() + static_cast<std::ptrdiff_t>(i);
+    check_plain_name("flock", name, {names_.begin(), end}, prefix + "name");
+    if (name == "own" || name == "all")
+      say_error(prefix + "name", say("\"", name, "\" has a meaning of its own"));
+  }
+
+  void check_plain_name(const char* what, const std::string& name, const std::vector<std::string>& earlier,
+                        const std::string& key) {
     const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
              c == '-';
     });
     if (!plain)
-      say_error(prefix + "name",
-                say("\"", name, "\" must be letters, digits, - and _, so that paths can name it"));
-    if (name == "own" || name == "all")
-      say_error(prefix + "name", say("\"", name, "\" has a meaning of its own"));
-    if (std::find(names_.begin(), names_.begin() + static_cast<std::ptrdiff_t>(i), name) !=
-        names_.begin() + static_cast<std::ptrdiff_t>(i)) {
-      say_error(prefix + "name", say("two flocks are called \"", name, "\""));
-    }
+      say_error(key, say("\"", name, "\" must be letters, digits, - and _, so that paths can name it"));
+    if (std::find(earlier.begin(), earlier.end(), name) != earlier.end())
+      say_error(key, say("two ", what, "s are called \"", name, "\""));
   }
 
   void check_start(const Start& start, const std::string& prefix) {
@@ -217,13 +221,54 @@ class Checker {
     for (const Flee& flee : flock.flee) {
       if (flee.from.empty()) say_error(prefix + "flee.from", "names nobody to flee from");
       check_names(flee.from, prefix + "flee.from");
-      check_seek(flee.form, flock, prefix + "flee.form");
+      check_form(flee.form, flock, prefix + "flee.form");
+      if (flee.form == SteeringForm::arrive)
+        say_error(prefix + "flee.form", "nobody flees by slowing down; \"arrive\" is for what attracts");
     }
   }
 
-  void check_seek(SteeringForm form, const FlockDef& flock, const std::string& key) {
-    if (form != SteeringForm::seek || !std::isinf(flock.max_speed)) return;
-    say_error(key, say("\"seek\" goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
+  void check_form(SteeringForm form, const FlockDef& flock, const std::string& key) {
+    const bool goes_at_full_speed = form != SteeringForm::heading && form != SteeringForm::linear;
+    if (!goes_at_full_speed || !std::isinf(flock.max_speed)) return;
+    const char* word = form == SteeringForm::seek     ? "seek"
+                       : form == SteeringForm::arrive ? "arrive"
+                                                      : "orbit";
+    say_error(
+        key, say("\"", word, "\" goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
+  }
+
+  void check_targets() {
+    std::vector<std::string> names;
+    for (const TargetDef& target : scenario_.targets) {
+      const std::string prefix = say("target.", target.name, ".");
+      check_plain_name("target", target.name, names, prefix + "name");
+      names.push_back(target.name);
+      check_target(target, prefix);
+    }
+  }
+
+  void check_target(const TargetDef& target, const std::string& prefix) {
+    check_size(target.at, axes(), prefix + "at");
+    if (target.at.empty()) say_error(prefix + "at", "is missing; a target needs a place");
+    for (const double coordinate : target.at) {
+      if (!(std::abs(coordinate) <= 1e15)) say_error(prefix + "at", "must be finite and at most 1e15");
+    }
+    check_size(target.velocity, axes(), prefix + "velocity");
+    if (target.motion == TargetMotion::line && target.velocity.empty())
+      say_error(prefix + "velocity", "is missing; a target that moves in a line needs one");
+    if (target.motion == TargetMotion::circle && target.period == 0)
+      say_error(prefix + "period", "must not be 0");
+    if (target.kind == TargetKind::repel && target.form == SteeringForm::arrive)
+      say_error(prefix + "form", "\"arrive\" slows down near the target, which is for those that attract");
+    if (target.felt_by.kind == Whose::Kind::own)
+      return say_error(prefix + "felt_by", "must be \"all\" or a list of flock names");
+    check_whose(target.felt_by, prefix + "felt_by");
+    for (const FlockDef& flock : scenario_.flocks) {
+      const auto& felt_by = target.felt_by;
+      if (felt_by.kind == Whose::Kind::all ||
+          std::find(felt_by.names.begin(), felt_by.names.end(), flock.name) != felt_by.names.end())
+        check_form(target.form, flock, prefix + "form");
+    }
   }
 
   void check_colour(const Colour& colour, const std::string& prefix) {
@@ -254,8 +299,7 @@ class Checker {
         say_error(say("run.events.", i), say("the event of step ", event.step, ": ", *error));
         continue;
       }
-      const auto* set = std::get_if<SetParameter>(&event.command);
-      if (set != nullptr && !set_parameter(now, set->path, parse_value(set->value))) return;
+      change_scenario(event.command, event.step, now);
     }
   }
 

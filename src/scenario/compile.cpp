@@ -148,6 +148,14 @@ class FlockCompiler {
     if (def_.wander) own_term(TermKind::wander, def_.wander, def_.wander->weight, def_.wander->rate);
     if (def_.noise && def_.noise->acceleration > 0)
       own_term(TermKind::noise, def_.noise, 1, def_.noise->acceleration);
+    if (def_.targets.on && is_drawn()) {
+      TermModel targets;
+      targets.kind = TermKind::targets;
+      targets.weight = static_cast<float>(def_.targets.weight);
+      targets.priority = def_.targets.priority;
+      targets.order = def_.targets.order;
+      out_.terms.push_back(targets);
+    }
     TermModel pointer;
     pointer.kind = TermKind::pointer;
     pointer.weight = model_.pointer.weight;
@@ -155,6 +163,11 @@ class FlockCompiler {
     pointer.priority = scenario_.pointer.priority;
     pointer.order = std::numeric_limits<int>::max();
     out_.terms.push_back(pointer);
+  }
+
+  bool is_drawn() const {
+    return std::any_of(model_.targets.begin(), model_.targets.end(),
+                       [&](const TargetModel& target) { return (target.felt_by >> own_ & 1) != 0; });
   }
 
   void colour() {
@@ -195,6 +208,34 @@ void compile_space(const ScenarioDef& scenario, Model& model) {
   }
 }
 
+std::array<double, 3> doubles(const Coordinates& at) {
+  std::array<double, 3> out{};
+  std::copy(at.begin(), at.end(), out.begin());
+  return out;
+}
+
+TargetModel target_model(const ScenarioDef& scenario, const TargetDef& def) {
+  TargetModel out;
+  out.kind = def.kind;
+  out.form = def.form;
+  out.weight = static_cast<float>(def.weight);
+  out.radius = static_cast<float>(def.radius);
+  out.slowing = static_cast<float>(def.slowing);
+  out.felt_by = mask_of(scenario, def.felt_by, 0);
+  out.motion = def.motion;
+  out.at = doubles(def.at);
+  out.velocity = doubles(def.velocity);
+  out.circle = def.circle;
+  out.period = def.period;
+  return out;
+}
+
+PointerModel pointer_model(const Pointer& def) {
+  return {static_cast<float>(def.weight), static_cast<float>(def.radius),
+          static_cast<float>(def.repel_radius.value_or(def.radius)), def.form,
+          static_cast<float>(def.slowing)};
+}
+
 // What the whole model needs because some row or flock uses it.
 void gather_uses(const ScenarioDef& scenario, Model& model) {
   float reach_squared = 0;
@@ -232,8 +273,8 @@ Model compile(const ScenarioDef& scenario) {
   model.integrator = scenario.time.integrator;
   compile_space(scenario, model);
   model.index = scenario.index;
-  model.pointer = {static_cast<float>(scenario.pointer.weight), static_cast<float>(scenario.pointer.radius),
-                   scenario.pointer.form};
+  model.pointer = pointer_model(scenario.pointer);
+  for (const TargetDef& def : scenario.targets) model.targets.push_back(target_model(scenario, def));
   for (std::size_t i = 0; i < scenario.flocks.size(); ++i) {
     model.flocks.push_back(FlockCompiler(scenario, i, model).run());
   }

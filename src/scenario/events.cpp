@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/assign.h"
+#include "scenario/targets.h"
 
 namespace sturnus {
 namespace {
@@ -21,6 +22,8 @@ Value place(const Coordinates& at) {
   for (const double coordinate : at) list.push_back({coordinate});
   return {list};
 }
+
+constexpr const char* form_names[] = {"heading", "seek", "linear", "arrive", "orbit"};
 
 Value::List parts_of(const Command& command) {
   struct Parts {
@@ -40,6 +43,15 @@ Value::List parts_of(const Command& command) {
     Value::List operator()(const MovePointer& pointer) const {
       const char* mode = pointer.mode == PointerMode::attract ? "attract" : "repel";
       return {word("pointer"), word(pointer.pressed ? mode : "off"), place(pointer.at)};
+    }
+    Value::List operator()(const ScatterBoids& scatter) const {
+      return {word("scatter"), place(scatter.at), number(scatter.radius)};
+    }
+    Value::List operator()(const PlaceTarget& placed) const {
+      const char* kind = placed.kind == TargetKind::attract ? "attract" : "repel";
+      return {word("target"),        word(kind),
+              place(placed.at),      word(form_names[static_cast<int>(placed.form)]),
+              number(placed.weight), number(placed.radius)};
     }
   };
   return std::visit(Parts{}, command);
@@ -122,6 +134,29 @@ Command pointer_from(Parts& parts) {
   return pointer;
 }
 
+SteeringForm form_from(Parts& parts) {
+  const std::string word = parts.word("form");
+  const auto* const found = std::find(std::begin(form_names), std::end(form_names), word);
+  if (found == std::end(form_names) && parts.error().empty())
+    parts.fail(unknown_word("form", word, {std::begin(form_names), std::end(form_names)}));
+  return found == std::end(form_names) ? SteeringForm::heading
+                                       : static_cast<SteeringForm>(found - std::begin(form_names));
+}
+
+// Form, weight and radius may be left out, from the end.
+Command target_from(Parts& parts) {
+  PlaceTarget target;
+  const std::string kind = parts.word("kind");
+  if (kind != "attract" && kind != "repel")
+    parts.fail(say("an event \"target\" must be \"attract\" or \"repel\", but is \"", kind, "\""));
+  target.kind = kind == "repel" ? TargetKind::repel : TargetKind::attract;
+  target.at = parts.place("place");
+  if (!parts.at_end()) target.form = form_from(parts);
+  if (!parts.at_end()) target.weight = parts.number("weight");
+  if (!parts.at_end()) target.radius = parts.number("radius");
+  return target;
+}
+
 Command command_from(const std::string& verb, Parts& parts) {
   if (verb == "set") {
     std::string path = parts.word("path");
@@ -147,7 +182,12 @@ Command command_from(const std::string& verb, Parts& parts) {
     return move;
   }
   if (verb == "pointer") return pointer_from(parts);
-  parts.fail(unknown_word("event", verb, {"set", "add", "erase", "move", "pointer"}));
+  if (verb == "scatter") {
+    Coordinates at = parts.place("place");
+    return ScatterBoids{std::move(at), parts.number("radius")};
+  }
+  if (verb == "target") return target_from(parts);
+  parts.fail(unknown_word("event", verb, {"set", "add", "erase", "move", "pointer", "scatter", "target"}));
   return {};
 }
 
@@ -172,6 +212,7 @@ bool fixed_while_running(std::string_view path) {
        {"format", "seed", "space.dimensions", "run.steps", "run.initial", "run.first_step", "run.resumed"}) {
     if (path == fixed) return true;
   }
+  if (path.starts_with("target.") && path.ends_with(".name")) return true;
   if (!path.starts_with("flock.")) return false;
   const auto dot = path.find('.', 6);
   const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
@@ -188,7 +229,10 @@ struct CommandCheck {
     ScenarioDef changed = scenario;
     const Status status = set_parameter(changed, set.path, parse_value(set.value));
     if (!status) return say(set.path, ": ", status.problems().front().text);
-    for (const Problem& problem : check(changed)) {
+    return first_error(changed);
+  }
+  static Error first_error(const ScenarioDef& scenario) {
+    for (const Problem& problem : check(scenario)) {
       if (!problem.is_warning) return say(problem.key, ": ", problem.text);
     }
     return {};
@@ -211,10 +255,31 @@ struct CommandCheck {
     if (auto error = check_place(scenario, move.to, "place")) return error;
     return check_place(scenario, move.velocity, "velocity");
   }
+  Error operator()(const ScatterBoids& scatter) const {
+    if (auto error = check_radius(scatter.radius)) return error;
+    return check_place(scenario, scatter.at, "place");
+  }
+  Error operator()(const PlaceTarget& placed) const {
+    if (auto error = check_place(scenario, placed.at, "place")) return error;
+    ScenarioDef changed = scenario;
+    add_target(placed, changed);
+    return first_error(changed);
+  }
   Error operator()(const MovePointer& pointer) const { return check_place(scenario, pointer.at, "place"); }
 };
 
 }  // namespace
+
+bool change_scenario(const Command& command, std::uint64_t step, ScenarioDef& scenario) {
+  if (const auto* set = std::get_if<SetParameter>(&command))
+    return set_parameter(scenario, set->path, parse_value(set->value)).problems().empty();
+  if (const auto* placed = std::get_if<PlaceTarget>(&command)) {
+    add_target(*placed, scenario);
+    return true;
+  }
+  const auto* erase = std::get_if<EraseBoids>(&command);
+  return erase != nullptr && erase_targets(*erase, step, scenario);
+}
 
 Value to_value(const Event& event) {
   Value::List list = parts_of(event.command);

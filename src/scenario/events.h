@@ -10,6 +10,10 @@ Value to_value(const Event& event);
 /// The event, or the sentence that says what is wrong with the list.
 std::variant<Event, std::string> event_from(const Value& value);
 
+/// Does what a command that has passed `check_command` changes in the scenario itself, before that step:
+/// parameters and targets. Tells whether anything changed.
+bool change_scenario(const Command& command, std::uint64_t step, ScenarioDef& scenario);
+
 /// What is wrong with a command in this scenario; empty when nothing is.
 std::optional<std::string> check_command(const ScenarioDef& scenario, const Command& command);
 

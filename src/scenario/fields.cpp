@@ -51,7 +51,7 @@ Choice combine_choice(Combine& combine) {
   return choice(combine, {"sum", "mean"});
 }
 Choice form_choice(SteeringForm& form) {
-  return choice(form, {"heading", "seek", "linear"});
+  return choice(form, {"heading", "seek", "linear", "arrive", "orbit"});
 }
 
 constexpr About weight_about{"", "how much the term counts in the sum of accelerations", -1e9, 1e9};
@@ -139,9 +139,12 @@ void visit_flee(Flee& term, FieldVisitor& visitor) {
   visitor.field("radius", &term.radius,
                 {"length", "how far they are seen", 0, infinity, false, "", "CS 184 (S4-17)"});
   visitor.field("weight", &term.weight, weight_about);
-  visitor.field("form", form_choice(term.form),
-                {"", "heading: unit(away) - heading; seek: full speed away - v; linear: the offset itself", 0,
-                 0, false, "", "CS 184 (S4-11), VUW CGRA 354 (S2-19), quadtree project (S3-10)"});
+  visitor.field(
+      "form", form_choice(term.form),
+      {"",
+       "heading: unit(away) - heading; seek: full speed away - v; linear: the offset itself; orbit: full "
+       "speed away, v not taken off",
+       0, 0, false, "", "CS 184 (S4-11), VUW CGRA 354 (S2-19), quadtree project (S3-10)"});
   visitor.field("field_of_view", &term.field_of_view, field_of_view_about);
   visitor.field("priority", &term.priority, priority_about);
   visitor.field("on", &term.on, on_about);
@@ -208,6 +211,14 @@ void visit_colour(Colour& colour, FieldVisitor& visitor) {
   visitor.field("of", &colour.of, {"", "whose colours are averaged: \"own\", \"all\" or a list of flocks"});
 }
 
+void visit_target_sense(TargetSense& sense, FieldVisitor& visitor) {
+  visitor.field("weight", &sense.weight,
+                {"", weight_about.text, -1e9, 1e9, false, "sum of w·pull; of form heading their mean",
+                 "CS 184 (S4-11)"});
+  visitor.field("priority", &sense.priority, priority_about);
+  visitor.field("on", &sense.on, on_about);
+}
+
 void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
   visitor.field("name", &flock.name, {"", "what paths, messages and other flocks call it"});
   visitor.field("count", &flock.count,
@@ -241,6 +252,9 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
   visitor.items("wander", {"", "a bounded random walk of a sought direction"},
                 maybe(flock.wander, visit_wander));
   visitor.items("noise", {"", "random acceleration and turning"}, maybe(flock.noise, visit_noise));
+  visitor.table(
+      "targets", {"", "how the flock feels the targets"},
+      [&](FieldVisitor& inner) { visit_target_sense(flock.targets, inner); }, "weight");
   visitor.table(
       "colour", {"", "colours that drift toward the neighbours'"},
       [&](FieldVisitor& inner) { visit_colour(flock.colour, inner); }, "start");
@@ -329,10 +343,44 @@ void visit_pointer(Pointer& pointer, FieldVisitor& visitor) {
                 {"length", "who is farther from the pointer feels nothing", 0, infinity, true, "",
                  "quadtree project (S3-9)"});
   visitor.field(
+      "repel_radius", &pointer.repel_radius,
+      {"length", "the same while it repels; default: radius", 0, infinity, false, "", "CS 184 (S4-12)"});
+  visitor.field(
       "form", form_choice(pointer.form),
-      {"", "heading: unit(o) - heading; seek: full speed toward it - v; linear: the offset o itself", 0, 0,
-       false, "", "CS 184 (S4-12), VUW CGRA 354 (S2-19), quadtree project (S3-9)"});
+      {"",
+       "heading: unit(o) - heading; seek: full speed toward it - v; linear: the offset o itself; arrive: "
+       "seek, slower near it; orbit: full speed toward it, v not taken off",
+       0, 0, false, "", "CS 184 (S4-12), VUW CGRA 354 (S2-19, S2-20), quadtree project (S3-9)"});
+  visitor.field("slowing", &pointer.slowing,
+                {"length", "arrive: nearer than this the sought speed falls", 0, 1e15, false,
+                 "max_speed·min(1, |o|/slowing)", "VUW CGRA 354 (S2-20)"});
   visitor.field("priority", &pointer.priority, priority_about);
+}
+
+void visit_target(TargetDef& target, FieldVisitor& visitor) {
+  visitor.field("name", &target.name, {"", "what paths and messages call it"});
+  visitor.field("kind", choice(target.kind, {"attract", "repel"}),
+                {"", "whether boids are drawn to it or driven away", 0, 0, false, "", "CS 184 (S4-10)"});
+  visitor.field(
+      "form", form_choice(target.form),
+      {"",
+       "heading: unit(o) - heading; seek: full speed toward it - v; linear: the offset o itself; arrive: "
+       "seek, slower near it; orbit: full speed toward it, v not taken off",
+       0, 0, false, "", "CS 184 (S4-11), VUW CGRA 354 (S2-19, S2-20), quadtree project (S3-9)"});
+  visitor.field("at", CoordinatesRef{&target.at},
+                {"length", "where it is at time 0; the middle of its circle"});
+  visitor.field("weight", &target.weight, {"", "how much it counts among the targets", -1e9, 1e9});
+  visitor.field("radius", &target.radius,
+                {"length", "who is farther feels nothing", 0, infinity, true, "", "VUW CGRA 354 (S2-20)"});
+  visitor.field("slowing", &target.slowing,
+                {"length", "arrive: nearer than this the sought speed falls", 0, 1e15, false,
+                 "max_speed·min(1, |o|/slowing)", "VUW CGRA 354 (S2-20)"});
+  visitor.field("felt_by", &target.felt_by, {"", "whose members feel it: \"all\" or a list of flocks"});
+  visitor.field("motion", choice(target.motion, {"still", "line", "circle"}), {"", "how it moves"});
+  visitor.field("velocity", CoordinatesRef{&target.velocity},
+                {"length per time", "line: its velocity; it wraps, or bounces where the space has an edge"});
+  visitor.field("circle", &target.circle, {"length", "circle: radius, in the plane of x and y", 0, 1e15});
+  visitor.field("period", &target.period, {"time", "circle: for one turn; negative: clockwise", -1e15, 1e15});
 }
 
 void visit_camera(CameraDef& camera, FieldVisitor& visitor) {
@@ -372,6 +420,12 @@ void visit(ScenarioDef& scenario, FieldVisitor& visitor) {
                 [&](FieldVisitor& inner) { visit_pointer(scenario.pointer, inner); });
   visitor.table("camera", {"", "what pictures show"},
                 [&](FieldVisitor& inner) { visit_camera(scenario.camera, inner); });
+  Items targets = list_of(scenario.targets, visit_target);
+  targets.name = [&scenario](std::size_t i) { return scenario.targets[i].name; };
+  targets.rename = [&scenario](std::size_t i, std::string name) {
+    scenario.targets[i].name = std::move(name);
+  };
+  visitor.items("target", {"", "a place that attracts or repels"}, targets);
   Items flocks = list_of(scenario.flocks, visit_flock);
   flocks.name = [&scenario](std::size_t i) { return scenario.flocks[i].name; };
   visitor.items("flock", {"", "a kind of boid"}, flocks);

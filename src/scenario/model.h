@@ -24,7 +24,18 @@ struct NeighbourRow {
   std::uint64_t flocks = 0;        ///< a bit for every flock that is looked at
 };
 
-enum class TermKind { separation, alignment, cohesion, flee, cruise, wander, noise, pointer, custom };
+enum class TermKind {
+  separation,
+  alignment,
+  cohesion,
+  flee,
+  cruise,
+  wander,
+  noise,
+  targets,
+  pointer,
+  custom
+};
 
 /// One steering term of a flock.
 struct TermModel {
@@ -60,7 +71,22 @@ struct FlockModel {
 struct PointerModel {
   float weight = 0;
   float radius = 0;
+  float repel_radius = 0;
   SteeringForm form = SteeringForm::heading;
+  float slowing = 0;
+};
+
+struct TargetModel {
+  TargetKind kind = TargetKind::attract;
+  SteeringForm form = SteeringForm::heading;
+  float weight = 0;
+  float radius = 0;
+  float slowing = 0;
+  std::uint64_t felt_by = 0;  ///< a bit for every flock
+  TargetMotion motion = TargetMotion::still;
+  std::array<double, 3> at{}, velocity{};
+  double circle = 0;
+  double period = 1;
 };
 
 struct Model {
@@ -74,6 +100,7 @@ struct Model {
   Index index;
   float reach = 0;  ///< length; largest finite radius over which any row looks
   PointerModel pointer;
+  std::vector<TargetModel> targets;
   std::vector<FlockModel> flocks;
   std::size_t most_rows = 0;  ///< of any flock
   bool uses_totals = false;

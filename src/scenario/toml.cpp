@@ -119,7 +119,9 @@ class TableReader : public FieldVisitor {
     if (!has_like_) items.resize(0);
     items.resize(tables.size());
     for (std::size_t i = 0; i < tables.size(); ++i) {
-      if (items.name) {
+      if (items.rename) {
+        read_named(*tables[i], key, i, items);
+      } else if (items.name) {
         read_flock(*tables[i], i, items);
       } else {
         read_item(*tables[i], tables.size() == 1 ? say(prefix_, key, ".") : say(prefix_, key, ".", i, "."), i,
@@ -178,6 +180,16 @@ class TableReader : public FieldVisitor {
     const auto begin = table.source().begin;
     if (items.order)
       *items.order(i) = static_cast<int>(begin.line * 1000 + std::min<unsigned>(begin.column, 999));
+  }
+
+  void read_named(const toml::table& table, std::string_view key, std::size_t i, const Items& items) {
+    const std::string name = table["name"].value_or(i == 0 ? std::string(key) : say(key, "-", i + 1));
+    items.rename(i, name);
+    const std::string prefix = say(prefix_, key, ".", name, ".");
+    reading_.lines[prefix] = Reading::line_of(table);
+    TableReader inner(table, prefix, reading_);
+    items.visit(i, inner);
+    inner.finish();
   }
 
   void read_flock(const toml::table& table, std::size_t i, const Items& items) {

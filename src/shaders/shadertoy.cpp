@@ -31,6 +31,9 @@ class Objections {
       object("flock",
              say("a shader has at most ", most_shader_boids, " boids, here are ", scenario_.boid_count()));
     }
+    if (!scenario_.targets.empty()) object("target", "a shader has no targets");
+    check_form("pointer.form", scenario_.pointer.form);
+    if (scenario_.pointer.repel_radius) object("pointer.repel_radius", "a shader's mouse only attracts");
     for (const FlockDef& flock : scenario_.flocks) check_flock(flock);
     return problems_;
   }
@@ -40,8 +43,14 @@ class Objections {
     problems_.push_back({scenario_.file, 0, key, text, false});
   }
 
+  void check_form(const std::string& key, SteeringForm form) {
+    if (form == SteeringForm::arrive || form == SteeringForm::orbit)
+      object(key, "a shader knows the forms heading, seek and linear");
+  }
+
   void check_flock(const FlockDef& flock) {
     const std::string key = "flock." + flock.name + ".";
+    for (const Flee& flee : flock.flee) check_form(key + "flee.form", flee.form);
     if (flock.arbitration != Arbitration::weighted)
       object(key + "arbitration", "a shader adds its terms by weight and knows no other arbitration");
     if (!flock.start.file.empty()) object(key + "start.file", "a shader can't read boids from a file");

@@ -1,6 +1,7 @@
 // From places to places, block by block: neighbours, steering, motion.
 #include <utility>
 
+#include "scenario/targets.h"
 #include "step/motion.h"
 #include "step/step.h"
 #include "step/watched.h"
@@ -154,6 +155,7 @@ void prepare(const Model& model, const State& state, Scratch& scratch, const Wor
 template <int D>
 void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* watch, const Workers& workers) {
   prepare(model, state, scratch, workers);
+  place_targets(model, state.step, scratch.targets);
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
   const Boids boids = boids_of(model, state, scratch);
   if (model.uses_totals)

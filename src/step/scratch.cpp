@@ -28,6 +28,7 @@ void poison(Scratch& scratch) {
   spoil(scratch.spare.ids);
   spoil(scratch.spare.bytes);
   spoil(scratch.spare.floats);
+  spoil(scratch.targets);
   spoil(scratch.totals);
   spoil(scratch.total_parts);
   spoil(scratch.batches);

@@ -24,6 +24,7 @@ struct Scratch {
   std::vector<std::uint32_t> order;  ///< where each boid stood before the index sorted them
   Spare spare;
   Columns heading;
+  std::vector<std::array<float, 3>> targets;  ///< where they are in this step
   std::vector<Totals> totals, total_parts;
   Passes passes;
   std::vector<Span> batches;           ///< of boids that are steered at once

@@ -90,12 +90,12 @@ struct Simulation::World {
   }
 
   void carry_out(const Command& command) {
-    const bool changes_model = std::holds_alternative<SetParameter>(command);
-    if (!apply(command, scenario, model, state)) ++report.commands_in_vain;
-    if (changes_model) add_custom_terms();
+    const Applied applied = apply(command, scenario, model, state);
+    if (applied.is_in_vain) ++report.commands_in_vain;
+    if (applied.has_compiled) add_custom_terms();
     if (std::holds_alternative<AddBoids>(command) || std::holds_alternative<EraseBoids>(command))
       outside.external = {};
-    if (!changes_model && !std::holds_alternative<MovePointer>(command)) forget_last_step();
+    if (applied.has_moved_boids) forget_last_step();
   }
 
   // What was before the last step no longer belongs to the boids that are there now.
@@ -110,8 +110,8 @@ struct Simulation::World {
       carry_out(log[done].event.command);
   }
 
-  // A state that was saved has what events did to its boids; parameters and the pointer are set again, and
-  // what is past leaves the log: from here on it is part of how the run began.
+  // A state that was saved has what events did to its boids; parameters, targets and the pointer are set
+  // again, and what is past leaves the log: from here on it is part of how the run began.
   void settle_past() {
     const auto first = static_cast<std::uint64_t>(initial.run.first_step);
     const auto is_past = [&](const Event& event) {
@@ -120,10 +120,9 @@ struct Simulation::World {
     bool has_pointer = false;
     std::size_t past = 0;
     for (; past < log.size() && is_past(log[past].event); ++past) {
-      const Command& command = log[past].event.command;
-      const bool is_pointer = std::holds_alternative<MovePointer>(command);
-      if (is_pointer || std::holds_alternative<SetParameter>(command)) carry_out(command);
-      has_pointer = has_pointer || is_pointer;
+      const Event& event = log[past].event;
+      if (redo(event.command, event.step, scenario, model, state).has_compiled) add_custom_terms();
+      has_pointer = has_pointer || std::holds_alternative<MovePointer>(event.command);
     }
     log.erase(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(past));
     initial = scenario;

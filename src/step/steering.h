@@ -53,6 +53,8 @@ class Steering {
         return wander(term, own, i);
       case TermKind::noise:
         return noise_acceleration<D>(term, own, moment_);
+      case TermKind::targets:
+        return targets_pull<D>(model_, scratch_.targets, state_.flock[i], own, image_);
       case TermKind::pointer:
         return pointer_pull<D>(model_.pointer, state_.pointer, own, image_, flock.max_speed);
       case TermKind::custom:

@@ -2,9 +2,10 @@
 #include "world/commands.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include <sturnus/parameters.h>
-
+#include "scenario/events.h"
+#include "world/columns.h"
 #include "world/spawn.h"
 #include "world/state.h"
 
@@ -17,49 +18,62 @@ std::array<float, 3> floats(const Coordinates& at) {
   return out;
 }
 
-// In double: the offset between places in different images of a wrapped space.
-double distance_squared(const Model& model, const State& state, std::size_t i, const Coordinates& at) {
-  double sum = 0;
+// From the place to a boid, in double: the offset between places in different images of a wrapped space.
+Vec<3, double> offset_from(const Coordinates& at, const Model& model, const State& state, std::size_t i) {
+  Vec<3, double> out;
   for (std::size_t axis = 0; axis < at.size(); ++axis) {
     double o = double{state.position[axis][i]} - at[axis];
     const double size = model.size[axis];
     if (model.wraps() && o > size / 2) o -= size;
     if (model.wraps() && o < -size / 2) o += size;
-    sum += o * o;
+    out[static_cast<int>(axis)] = o;
   }
-  return sum;
+  return out;
 }
 
+float full_speed(const FlockModel& flock, float own_speed) {
+  return std::isinf(flock.max_speed) ? own_speed : flock.max_speed;
+}
+
+// Away from the place; who is just there keeps his heading.
+template <int D>
+void scatter_boid(const Model& model, const Vec<3, double>& offset, State& state, std::size_t i) {
+  const auto velocity = at<D>(state.velocity, i);
+  const Vec<3, double> away = unit(offset);
+  Vec<D> direction = unit(velocity);
+  for (int axis = 0; axis < D && !(away == Vec<3, double>{}); ++axis)
+    direction[axis] = static_cast<float>(away[axis]);
+  put(state.velocity, i, direction * full_speed(model.flocks[state.flock[i]], length(velocity)));
+}
+
+// What commands do to a state, besides what they do to the scenario.
 struct Applier {
-  ScenarioDef& scenario;
-  Model& model;
+  const ScenarioDef& scenario;
+  const Model& model;
   State& state;
 
-  bool operator()(const SetParameter& set) const {
-    if (!set_parameter(scenario, set.path, parse_value(set.value))) return false;
-    model = compile(scenario);
-    fit_to_model(scenario, model, state);
-    return true;
-  }
+  Applied operator()(const SetParameter&) const { return {}; }
+  Applied operator()(const PlaceTarget&) const { return {}; }
 
-  bool operator()(const AddBoids& add) const {
+  Applied operator()(const AddBoids& add) const {
     spawn_around(scenario, model, add, state);
     wrap_positions(model, state);
-    return true;
+    return {.has_moved_boids = true};
   }
 
-  bool operator()(const EraseBoids& erase) const {
+  Applied operator()(const EraseBoids& erase) const {
     std::vector<std::uint8_t> marks(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
-      marks[i] = distance_squared(model, state, i, erase.at) > erase.radius * erase.radius ? 1 : 0;
+      const auto o = offset_from(erase.at, model, state, i);
+      marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
     }
     keep(state, marks);
-    return true;
+    return {.has_moved_boids = true};
   }
 
-  bool operator()(const MoveBoid& move) const {
+  Applied operator()(const MoveBoid& move) const {
     const auto found = std::find(state.id.begin(), state.id.end(), move.id);
-    if (found == state.id.end()) return false;
+    if (found == state.id.end()) return {.is_in_vain = true, .has_moved_boids = true};
     const auto slot = static_cast<std::size_t>(found - state.id.begin());
     for (std::size_t axis = 0; axis < move.to.size(); ++axis) {
       state.position[axis][slot] = static_cast<float>(move.to[axis]);
@@ -67,25 +81,51 @@ struct Applier {
     }
     state.quarantined[slot] = 0;
     wrap_positions(model, state);
-    return true;
+    return {.has_moved_boids = true};
   }
 
-  bool operator()(const MovePointer& pointer) const {
+  Applied operator()(const MovePointer& pointer) const {
     // Released, it has no mode: events write it as "off".
     state.pointer = {pointer.pressed ? pointer.mode : PointerMode::attract, pointer.pressed,
                      floats(pointer.at)};
-    if (!model.wraps()) return true;
+    if (!model.wraps()) return {};
     for (std::size_t axis = 0; axis < pointer.at.size(); ++axis) {
       state.pointer.at[axis] = wrapped(state.pointer.at[axis], model.min[axis], model.max[axis]);
     }
-    return true;
+    return {};
+  }
+
+  Applied operator()(const ScatterBoids& scatter) const {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      const auto o = offset_from(scatter.at, model, state, i);
+      if (dot(o, o) > scatter.radius * scatter.radius || state.quarantined[i] != 0) continue;
+      model.dimensions == 3 ? scatter_boid<3>(model, o, state, i) : scatter_boid<2>(model, o, state, i);
+    }
+    return {};
   }
 };
 
+bool changes(const Command& command, std::uint64_t step, ScenarioDef& scenario, Model& model, State& state) {
+  if (!change_scenario(command, step, scenario)) return false;
+  model = compile(scenario);
+  fit_to_model(scenario, model, state);
+  return true;
+}
+
 }  // namespace
 
-bool apply(const Command& command, ScenarioDef& scenario, Model& model, State& state) {
-  return std::visit(Applier{scenario, model, state}, command);
+Applied apply(const Command& command, ScenarioDef& scenario, Model& model, State& state) {
+  const bool has_compiled = changes(command, state.step, scenario, model, state);
+  Applied applied = std::visit(Applier{scenario, model, state}, command);
+  applied.has_compiled = has_compiled;
+  return applied;
+}
+
+Applied redo(const Command& command, std::uint64_t step, ScenarioDef& scenario, Model& model, State& state) {
+  Applied applied;
+  applied.has_compiled = changes(command, step, scenario, model, state);
+  if (std::holds_alternative<MovePointer>(command)) std::visit(Applier{scenario, model, state}, command);
+  return applied;
 }
 
 void fit_to_model(const ScenarioDef& scenario, const Model& model, State& state) {

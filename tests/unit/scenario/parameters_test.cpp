@@ -13,24 +13,50 @@ namespace {
 
 constexpr const char* file = "test.toml";
 
-/// A row's path in a scenario whose only flock is called "boids".
-std::string path_of(const ParameterRow& row) {
-  std::string path = row.path;
-  if (const auto name = path.find("NAME"); name != std::string::npos) path.replace(name, 4, "boids");
-  return path;
+/// The list of named tables that a row belongs to, "flock" or "target"; empty for none.
+std::string list_of(const ParameterRow& row) {
+  const auto name = row.path.find(".NAME.");
+  return name == std::string::npos ? "" : row.path.substr(0, name);
+}
+std::string default_name(const std::string& list) {
+  return list == "flock" ? "boids" : list;
+}
+std::string key_in_table(const ParameterRow& row, const std::string& path) {
+  const std::string list = list_of(row);
+  return list.empty() ? path : path.substr(list.size() + 6);
 }
 
-bool is_in_flock(const ParameterRow& row) {
-  return row.path.starts_with("flock.NAME.");
+/// A row's path in a scenario whose flock and target have no names of their own.
+std::string path_of(const ParameterRow& row) {
+  const std::string list = list_of(row);
+  return list.empty() ? row.path : list + "." + default_name(list) + "." + key_in_table(row, row.path);
+}
+/// The same after a value was set, which may have been the name.
+std::string path_in(const ScenarioDef& scenario, const ParameterRow& row) {
+  if (row.path == "flock.NAME.name") return "flock." + scenario.flocks.front().name + ".name";
+  if (row.path == "target.NAME.name") return "target." + scenario.targets.front().name + ".name";
+  return path_of(row);
 }
 
 /// A file in which that key has that value, on the line that `line_of` tells.
-std::string file_with(const ParameterRow& row, const std::string& key, const std::string& value) {
-  if (is_in_flock(row)) return "[[flock]]\n" + key.substr(11) + " = " + value + "\n";
-  return key + " = " + value + "\n[[flock]]\n";
+std::string file_with(const ParameterRow& row, const std::string& path, const std::string& value) {
+  const std::string list = list_of(row);
+  const std::string line = key_in_table(row, path) + " = " + value + "\n";
+  if (list.empty()) return line + "[[flock]]\n";
+  return "[[" + list + "]]\n" + line + (list == "flock" ? "" : "[[flock]]\n");
 }
 int line_of(const ParameterRow& row) {
-  return is_in_flock(row) ? 2 : 1;
+  return list_of(row).empty() ? 1 : 2;
+}
+
+/// A scenario that has the row's table.
+ScenarioDef scenario_for(const ParameterRow& row) {
+  ScenarioDef scenario;
+  if (list_of(row) != "target") return scenario;
+  scenario.targets.emplace_back();
+  scenario.targets.front().name = "target";
+  scenario.targets.front().at = {1, 2};
+  return scenario;
 }
 
 bool is_number(const ParameterRow& row) {
@@ -64,7 +90,7 @@ std::string wrong_type_for(const ParameterRow& row) {
 
 TEST(EveryParameter, RefusesTheWrongType) {
   for (const ParameterRow& row : parameter_rows()) {
-    if (row.path == "flock.NAME.name") continue;  // the key then has no name to stand under
+    if (row.path.ends_with(".NAME.name")) continue;  // the key then has no name to stand under
     expect_problem(row, wrong_type_for(row), "must be");
     expect_problem(row, "1979-05-27", "date");
   }
@@ -111,9 +137,8 @@ TEST(EveryParameter, RefusesUnknownNeighboursWithTheirNearestName) {
 
 TEST(EveryParameter, RefusesToBeGivenTwice) {
   for (const ParameterRow& row : parameter_rows()) {
-    const std::string key = is_in_flock(row) ? row.path.substr(11) : row.path;
-    const std::string twice = key + " = 1\n" + key + " = 1\n";
-    const Result<ScenarioDef> result = parse_scenario(is_in_flock(row) ? "[[flock]]\n" + twice : twice, file);
+    const std::string key = key_in_table(row, row.path);
+    const Result<ScenarioDef> result = parse_scenario(file_with(row, row.path, "1\n" + key + " = 1"), file);
     ASSERT_FALSE(result) << row.path;
     const Problem& problem = result.problems().front();
     EXPECT_EQ(problem.line, line_of(row) + 1) << row.path << ": " << problem.sentence();
@@ -145,12 +170,10 @@ TEST(EveryParameter, CanBeSetAndShownByItsPath) {
   for (const ParameterRow& row : parameter_rows()) {
     int taken = 0;
     for (const std::string& value : candidates(row)) {
-      ScenarioDef scenario;
+      ScenarioDef scenario = scenario_for(row);
       if (!set_parameter(scenario, path_of(row), parse_value(value))) continue;
       ++taken;
-      const std::string path =
-          row.path == "flock.NAME.name" ? "flock." + scenario.flocks.front().name + ".name" : path_of(row);
-      const auto shown = get_parameter(scenario, path);
+      const auto shown = get_parameter(scenario, path_in(scenario, row));
       ASSERT_TRUE(static_cast<bool>(shown)) << shown.error();
       EXPECT_EQ(*shown, to_text(parse_value(value))) << row.path;
     }
@@ -163,15 +186,13 @@ TEST(EveryParameter, IsPrintedAndReadBack) {
   for (const ParameterRow& row : parameter_rows()) {
     bool printed = false;
     for (const std::string& value : candidates(row)) {
-      ScenarioDef scenario;
+      ScenarioDef scenario = scenario_for(row);
       if (row.path.starts_with("flock.NAME.flee.")) set(scenario, "flock.boids.flee.from", "[boids]");
       if (!set_parameter(scenario, path_of(row), parse_value(value)) || value == row.value) continue;
       if (has_errors(check(scenario))) continue;
       const Result<ScenarioDef> read = parse_scenario(to_toml(scenario), file);
       ASSERT_TRUE(static_cast<bool>(read)) << row.path << " = " << value << "\n" << read.error();
-      const std::string path =
-          row.path == "flock.NAME.name" ? "flock." + scenario.flocks.front().name + ".name" : path_of(row);
-      EXPECT_EQ(*get_parameter(*read, path), to_text(parse_value(value))) << row.path;
+      EXPECT_EQ(*get_parameter(*read, path_in(scenario, row)), to_text(parse_value(value))) << row.path;
       EXPECT_EQ(to_toml(*read), to_toml(scenario)) << row.path;
       printed = true;
     }
