@@ -66,8 +66,9 @@ struct CoordinatesRef {
 };
 
 /// A place where a parameter is kept.
-using FieldRef = std::variant<double*, std::int64_t*, bool*, std::string*, std::optional<double>*,
-                              CoordinatesRef, Range, RingRef, Whose*, std::vector<std::string>*, Choice>;
+using FieldRef =
+    std::variant<double*, std::int64_t*, bool*, std::string*, std::optional<double>*, CoordinatesRef, Range,
+                 RingRef, Whose*, std::vector<std::string>*, std::vector<Coordinates>*, Choice>;
 
 class FieldVisitor;
 
@@ -81,6 +82,7 @@ struct Items {
   std::function<void(std::size_t, std::string)> rename;
   std::function<int*(std::size_t)> order;  ///< place in the file, where it matters; may be empty
   bool at_most_one = false;                ///< a table that may be absent
+  bool has_header = false;                 ///< stands under a [[header]] of its own, not in braces
   std::string_view short_key;              ///< a plain value in place of the table means this key
 };
 

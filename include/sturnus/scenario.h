@@ -42,6 +42,9 @@ enum class SumPath { automatic, sparse, dense };
 enum class StartRegion { space, box, ball, ring };
 enum class GlyphStyle { dart, cone, circle };
 enum class CameraFit { space, flock };
+/// How a boid avoids obstacles. sweep: sideways, out of the way of the first that it would hit (VUW);
+/// heading: away from all that are near (CS 184).
+enum class ObstacleForm { sweep, heading };
 
 /// Whose members a term looks at: its own flock's, everybody's, or those of the named flocks.
 struct Whose {
@@ -133,6 +136,20 @@ struct Wander {
   int order = 0;
 };
 
+/// Steer around obstacles. sweep: a cylinder of the boid's radius plus the clearance is swept along its
+/// heading; of all obstacles in its way the first one pushes it sideways. heading: the mean over all
+/// obstacles near of unit(away) minus own heading.
+struct AvoidObstacles {
+  double weight = 0.5;
+  double look_ahead = 40.0;  ///< sweep: length; how far ahead obstacles are seen
+  double clearance = 1.0;    ///< sweep: length; room that is kept between the boid and an obstacle
+  ObstacleForm form = ObstacleForm::sweep;
+  double radius = 30.0;  ///< heading: length; an obstacle whose surface is farther does not count
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
 /// Random steering: an acceleration inside the weighted sum, and a turn after the velocity update.
 struct Noise {
   double acceleration = 0.0;  ///< length per time squared; each component uniform in [-this, this]
@@ -206,9 +223,11 @@ struct FlockDef {
   std::optional<Wander> wander;
   std::optional<Noise> noise;
   TargetSense targets;
+  std::optional<AvoidObstacles> avoid_obstacles;
   Colour colour;
   std::optional<GlyphStyle> glyph;  ///< how a boid is drawn; not given: dart in 2D, cone in 3D
   double size = 5.0;                ///< length of a drawn boid
+  double body_radius = 0.0;         ///< length; how thick a boid is for whatever it may touch
 };
 
 /// What happens at the edge of the space.
@@ -227,6 +246,24 @@ struct Space {
   std::optional<double> per_boid;
   static constexpr double usual_spacing = 10.0;  ///< length
   Boundary boundary;
+  bool solid = false;  ///< no boid ends a step inside an obstacle
+};
+
+/// Spheres (in 2D circles) at random places wholly inside the space; where it wraps, anywhere.
+struct RandomObstacles {
+  std::int64_t count = 10;
+  double min_radius = 5.0;   ///< length; radii are uniform between the two
+  double max_radius = 20.0;  ///< length
+  double keep_apart = 0.0;   ///< length; least room between a sphere and any earlier obstacle
+};
+
+/// Things in the way. Each list may hold any number; obstacles are numbered in order: spheres, boxes, planes,
+/// then the random ones, table after table.
+struct ObstacleDef {
+  std::vector<Coordinates> spheres;  ///< centre and radius: [x, y, r] or [x, y, z, r], lengths
+  std::vector<Coordinates> boxes;    ///< lower and upper corner: [x, y, X, Y] or [x, y, z, X, Y, Z], lengths
+  std::vector<Coordinates> planes;   ///< a point of it, length, and a normal of any length; solid behind it
+  std::optional<RandomObstacles> random;
 };
 
 struct Time {
@@ -266,7 +303,8 @@ struct AddBoids {
   Coordinates at;
   double radius = 0.0;
 };
-/// Remove every boid and every target within `radius` (length) of a place.
+/// Remove every boid, target and obstacle within `radius` (length) of a place; of an obstacle its centre counts,
+/// and planes stay.
 struct EraseBoids {
   Coordinates at;
   double radius = 0.0;
@@ -283,6 +321,11 @@ struct MovePointer {
   Coordinates at;
   bool pressed = true;
 };
+/// Put a sphere (in 2D a circle) somewhere as an obstacle.
+struct PlaceObstacle {
+  Coordinates at;
+  double radius = 1.0;  ///< length
+};
 
 /// Make everyone within `radius` (length) of a place fly straight away from it at full speed: a burst.
 struct ScatterBoids {
@@ -298,8 +341,8 @@ struct PlaceTarget {
   double radius = infinity;
 };
 
-using Command =
-    std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids, PlaceTarget>;
+using Command = std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids,
+                             PlaceTarget, PlaceObstacle>;
 
 /// A command and the step before which it is carried out.
 struct Event {
@@ -344,6 +387,7 @@ struct ScenarioDef {
   Pointer pointer;
   CameraDef camera;
   std::vector<TargetDef> targets;
+  std::vector<ObstacleDef> obstacles;
   std::vector<FlockDef> flocks = {FlockDef{}};
 
   std::int64_t boid_count() const {

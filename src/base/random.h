@@ -20,6 +20,7 @@ enum class Stream : std::uint32_t {
   noise_turn,
   wander,
   colour,
+  obstacle,
 };
 
 /// The numbers of one purpose for one boid in one step, one after the other.

@@ -12,8 +12,8 @@ namespace sturnus {
 namespace {
 
 SceneColours scene_colours(const Theme& theme) {
-  return {theme.flocks,    theme.outline,   theme.surface, theme.text,
-          theme.attractor, theme.attractor, theme.predator};
+  return {theme.flocks,    theme.outline,   theme.surface,  theme.text,
+          theme.attractor, theme.attractor, theme.predator, theme.obstacle};
 }
 
 Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "observe/obstacles.h"
 #include "scenario/model.h"
 #include "scenario/targets.h"
 
@@ -154,6 +155,7 @@ void Trails::add_to(const View& view, const SceneColours& colours, DrawList& lis
 void make_scene(const View& view, const SceneColours& colours, const SceneOptions& options, DrawList& list) {
   add_outline(view, colours, list);
   add_index(options, colours, list);
+  add_obstacles(view, colours, list);
   add_targets(view, colours, list);
   for (std::size_t slot = 0; slot < view.size(); ++slot) {
     const FlockDef& flock = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))];

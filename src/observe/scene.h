@@ -16,7 +16,7 @@ namespace sturnus {
 struct SceneColours {
   std::array<Rgba, 6> flocks{};
   Rgba outline, surface, text, accent;
-  Rgba attractor, repeller;
+  Rgba attractor, repeller, obstacle;
 };
 
 /// What besides the boids is put into a scene.

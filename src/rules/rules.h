@@ -9,6 +9,7 @@
 #include "rules/arbitration.h"
 #include "rules/neighbour_terms.h"
 #include "rules/self.h"
+#include "world/obstacle_index.h"
 
 namespace sturnus {
 
@@ -42,6 +43,11 @@ Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, cons
 template <int D>
 Vec<D> targets_pull(const Model& model, const std::vector<std::array<float, 3>>& places, std::size_t flock,
                     const Self<D>& self, const Wrapping& image);
+
+/// Around obstacles: sideways from the first in the way, or the mean away from those that are near.
+template <int D>
+Vec<D> avoid_obstacles(const TermModel& term, const FlockModel& flock, const Model& model,
+                       const ObstacleIndex& obstacles, const Self<D>& self);
 
 /// Turn: the acceleration inward for every margin that the place is in.
 template <int D>

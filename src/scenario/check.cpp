@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "scenario/assign.h"
 #include "scenario/events.h"
+#include "scenario/obstacles.h"
 
 namespace sturnus {
 namespace {
@@ -26,6 +27,7 @@ class Checker {
     check_boundary();
     check_flocks();
     check_targets();
+    check_obstacles();
     check_camera();
     check_events();
     return std::move(problems_);
@@ -278,6 +280,12 @@ class Checker {
                         colour.start.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
     if (!is_hex)
       say_error(prefix + "start", say("must be \"#rrggbb\" or \"random\", but found \"", colour.start, "\""));
+  }
+
+  void check_obstacles() {
+    if (has_errors(problems_)) return;  // places are drawn in the space, which must be sound
+    Problems found = obstacle_problems(scenario_);
+    problems_.insert(problems_.end(), found.begin(), found.end());
   }
 
   void check_camera() {

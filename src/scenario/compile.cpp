@@ -46,6 +46,7 @@ class FlockCompiler {
     out_.max_speed = static_cast<float>(def_.max_speed);
     out_.max_acceleration = static_cast<float>(def_.max_acceleration);
     out_.arbitration = def_.arbitration;
+    out_.body_radius = static_cast<float>(def_.body_radius);
     if (def_.noise && def_.noise->on) out_.noise_turn = static_cast<float>(def_.noise->turn * (pi / 180));
   }
 
@@ -156,6 +157,7 @@ class FlockCompiler {
       targets.order = def_.targets.order;
       out_.terms.push_back(targets);
     }
+    avoid_obstacles();
     TermModel pointer;
     pointer.kind = TermKind::pointer;
     pointer.weight = model_.pointer.weight;
@@ -168,6 +170,17 @@ class FlockCompiler {
   bool is_drawn() const {
     return std::any_of(model_.targets.begin(), model_.targets.end(),
                        [&](const TargetModel& target) { return (target.felt_by >> own_ & 1) != 0; });
+  }
+
+  void avoid_obstacles() {
+    if (!def_.avoid_obstacles || !def_.avoid_obstacles->on) return;
+    const AvoidObstacles& avoid = *def_.avoid_obstacles;
+    own_term(TermKind::avoid_obstacles, def_.avoid_obstacles, avoid.weight, 0);
+    TermModel& term = out_.terms.back();
+    term.obstacle_form = avoid.form;
+    const bool sweeps = avoid.form == ObstacleForm::sweep;
+    term.look_ahead = static_cast<float>(sweeps ? avoid.look_ahead : avoid.radius);
+    term.clearance = static_cast<float>(sweeps ? avoid.clearance : 0);
   }
 
   void colour() {
@@ -198,6 +211,7 @@ void compile_space(const ScenarioDef& scenario, Model& model) {
   const Extent extent = extent_of(scenario);
   const Boundary& boundary = scenario.space.boundary;
   model.boundary = boundary.kind;
+  model.is_solid = scenario.space.solid;
   model.turn_strength = static_cast<float>(boundary.strength);
   for (std::size_t axis = 0; axis < extent.min.size(); ++axis) {
     model.min[axis] = static_cast<float>(extent.min[axis]);
@@ -254,6 +268,21 @@ void gather_uses(const ScenarioDef& scenario, Model& model) {
   model.reach = std::sqrt(reach_squared);
 }
 
+// How far boids look for obstacles, and where they are solid how far a step goes.
+void gather_obstacle_reach(Model& model) {
+  for (const FlockModel& flock : model.flocks) {
+    for (const TermModel& term : flock.terms) {
+      if (term.kind != TermKind::avoid_obstacles) continue;
+      model.obstacle_reach =
+          std::max(model.obstacle_reach, term.look_ahead + term.clearance + flock.body_radius);
+    }
+    if (!model.is_solid) continue;
+    const float step = std::isinf(flock.max_speed) ? 0 : flock.max_speed * model.dt;
+    // A little more, because the length of a step is rounded.
+    model.obstacle_reach = std::max(model.obstacle_reach, 1.001f * step + flock.body_radius);
+  }
+}
+
 }  // namespace
 
 std::array<float, 3> colour_of_hex(const std::string& hex) {
@@ -279,6 +308,7 @@ Model compile(const ScenarioDef& scenario) {
     model.flocks.push_back(FlockCompiler(scenario, i, model).run());
   }
   gather_uses(scenario, model);
+  gather_obstacle_reach(model);
   return model;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/assign.h"
+#include "scenario/obstacles.h"
 #include "scenario/targets.h"
 
 namespace sturnus {
@@ -52,6 +53,9 @@ Value::List parts_of(const Command& command) {
       return {word("target"),        word(kind),
               place(placed.at),      word(form_names[static_cast<int>(placed.form)]),
               number(placed.weight), number(placed.radius)};
+    }
+    Value::List operator()(const PlaceObstacle& obstacle) const {
+      return {word("obstacle"), place(obstacle.at), number(obstacle.radius)};
     }
   };
   return std::visit(Parts{}, command);
@@ -187,7 +191,12 @@ Command command_from(const std::string& verb, Parts& parts) {
     return ScatterBoids{std::move(at), parts.number("radius")};
   }
   if (verb == "target") return target_from(parts);
-  parts.fail(unknown_word("event", verb, {"set", "add", "erase", "move", "pointer", "scatter", "target"}));
+  if (verb == "obstacle") {
+    Coordinates at = parts.place("place");
+    return PlaceObstacle{std::move(at), parts.number("radius")};
+  }
+  parts.fail(unknown_word("event", verb,
+                          {"set", "add", "erase", "move", "pointer", "scatter", "target", "obstacle"}));
   return {};
 }
 
@@ -213,6 +222,7 @@ bool fixed_while_running(std::string_view path) {
     if (path == fixed) return true;
   }
   if (path.starts_with("target.") && path.ends_with(".name")) return true;
+  if (path == "obstacle" || path.starts_with("obstacle.")) return true;
   if (!path.starts_with("flock.")) return false;
   const auto dot = path.find('.', 6);
   const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
@@ -264,6 +274,10 @@ struct CommandCheck {
     ScenarioDef changed = scenario;
     add_target(placed, changed);
     return first_error(changed);
+  }
+  Error operator()(const PlaceObstacle& obstacle) const {
+    if (auto error = check_place(scenario, obstacle.at, "place")) return error;
+    return check_sphere_radius(scenario, obstacle.radius);
   }
   Error operator()(const MovePointer& pointer) const { return check_place(scenario, pointer.at, "place"); }
 };

@@ -170,6 +170,27 @@ void visit_wander(Wander& wander, FieldVisitor& visitor) {
   visitor.field("on", &wander.on, on_about);
 }
 
+void visit_avoid_obstacles(AvoidObstacles& avoid, FieldVisitor& visitor) {
+  visitor.field("weight", &avoid.weight, weight_about);
+  visitor.field(
+      "form", choice(avoid.form, {"sweep", "heading"}),
+      {"",
+       "sweep: sideways, out of the way of the first obstacle ahead; heading: away from all that are near", 0,
+       0, false, "unit(E - C), or the mean of unit(p - C) - heading",
+       "VUW CGRA 354 (S2-25 to S2-28), CS 184 (S4-10, S4-11)"});
+  visitor.field("look_ahead", &avoid.look_ahead,
+                {"length", "sweep: how far along the heading obstacles are seen", 0, 1e15, false, "",
+                 "VUW CGRA 354 (S2-25)"});
+  visitor.field("clearance", &avoid.clearance,
+                {"length", "sweep: room that is kept between body and obstacle", 0, 1e15, false,
+                 "R = body_radius + clearance + r", "VUW CGRA 354 (S2-25)"});
+  visitor.field(
+      "radius", &avoid.radius,
+      {"length", "heading: how near an obstacle's surface must be", 0, 1e15, false, "", "CS 184 (S4-10)"});
+  visitor.field("priority", &avoid.priority, priority_about);
+  visitor.field("on", &avoid.on, on_about);
+}
+
 void visit_noise(Noise& noise, FieldVisitor& visitor) {
   visitor.field("acceleration", &noise.acceleration,
                 {"length per time squared", "each component of a random acceleration lies in [-this, this]",
@@ -252,6 +273,8 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
   visitor.items("wander", {"", "a bounded random walk of a sought direction"},
                 maybe(flock.wander, visit_wander));
   visitor.items("noise", {"", "random acceleration and turning"}, maybe(flock.noise, visit_noise));
+  visitor.items("avoid_obstacles", {"", "steer around obstacles"},
+                maybe(flock.avoid_obstacles, visit_avoid_obstacles));
   visitor.table(
       "targets", {"", "how the flock feels the targets"},
       [&](FieldVisitor& inner) { visit_target_sense(flock.targets, inner); }, "weight");
@@ -269,6 +292,9 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
                  "CS 184 (S4-32), prog06 (S1-16)"});
   visitor.field("size", &flock.size,
                 {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
+  visitor.field("body_radius", &flock.body_radius,
+                {"length", "how thick a boid is for whatever it may touch", 0, 1e15, false, "",
+                 "VUW CGRA 354 (S2-25)"});
 }
 
 void visit_boundary(Boundary& boundary, FieldVisitor& visitor) {
@@ -297,6 +323,30 @@ void visit_space(Space& space, FieldVisitor& visitor) {
   visitor.table(
       "boundary", {"", "what happens at the edge"},
       [&](FieldVisitor& inner) { visit_boundary(space.boundary, inner); }, "kind");
+  visitor.field("solid", &space.solid, {"", "no boid ends a step inside an obstacle"});
+}
+
+void visit_random_obstacles(RandomObstacles& random, FieldVisitor& visitor) {
+  visitor.field("count", &random.count, {"obstacles", "how many spheres", 0, 1e6});
+  visitor.field("radius", Range{&random.min_radius, &random.max_radius},
+                {"length", "their radii, uniform between the two", 0, 1e15});
+  visitor.field("keep_apart", &random.keep_apart,
+                {"length", "least room between a sphere and any earlier obstacle", 0, 1e15});
+}
+
+void visit_obstacle(ObstacleDef& obstacle, FieldVisitor& visitor) {
+  visitor.field("spheres", &obstacle.spheres,
+                {"length", "centre and radius of each: [x, y, z, r]; in 2D circles [x, y, r]", -1e15, 1e15,
+                 false, "|p - C| < r", "VUW CGRA 354 (S2-25)"});
+  visitor.field(
+      "boxes", &obstacle.boxes,
+      {"length", "lower and upper corner of each: [x, y, z, X, Y, Z]; in 2D [x, y, X, Y]", -1e15, 1e15});
+  visitor.field(
+      "planes", &obstacle.planes,
+      {"length", "a point and a normal of each: [x, y, z, nx, ny, nz]; solid is the side behind the normal",
+       -1e15, 1e15});
+  visitor.items("random", {"", "spheres at random places in the space"},
+                maybe(obstacle.random, visit_random_obstacles));
 }
 
 void visit_time(Time& time, FieldVisitor& visitor) {
@@ -426,6 +476,9 @@ void visit(ScenarioDef& scenario, FieldVisitor& visitor) {
     scenario.targets[i].name = std::move(name);
   };
   visitor.items("target", {"", "a place that attracts or repels"}, targets);
+  Items obstacles = list_of(scenario.obstacles, visit_obstacle);
+  obstacles.has_header = true;
+  visitor.items("obstacle", {"", "things in the way"}, obstacles);
   Items flocks = list_of(scenario.flocks, visit_flock);
   flocks.name = [&scenario](std::size_t i) { return scenario.flocks[i].name; };
   visitor.items("flock", {"", "a kind of boid"}, flocks);

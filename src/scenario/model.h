@@ -34,7 +34,8 @@ enum class TermKind {
   noise,
   targets,
   pointer,
-  custom
+  custom,
+  avoid_obstacles
 };
 
 /// One steering term of a flock.
@@ -48,6 +49,9 @@ struct TermModel {
   bool relative = true;
   SteeringForm form = SteeringForm::heading;
   float amount = 0;  ///< cruise: speed · wander: rate · noise: acceleration
+  ObstacleForm obstacle_form = ObstacleForm::sweep;
+  float look_ahead = 0;  ///< avoid_obstacles: length; for the form heading the radius
+  float clearance = 0;   ///< avoid_obstacles: length
   std::int64_t priority = 0;
   int order = 0;
 };
@@ -64,6 +68,7 @@ struct FlockModel {
   int colour_row = -1;
   float colour_averaging = 0;
   float colour_noise = 0;
+  float body_radius = 0;  ///< length
 
   static constexpr float infinity_f = std::numeric_limits<float>::infinity();
 };
@@ -107,6 +112,8 @@ struct Model {
   bool uses_headings = false;
   bool uses_wander = false;
   bool uses_colour = false;
+  bool is_solid = false;     ///< boids are kept out of obstacles
+  float obstacle_reach = 0;  ///< length; how far from a boid a step usually asks for obstacles
 
   bool wraps() const { return boundary == BoundaryKind::wrap; }
 };

@@ -52,15 +52,15 @@ class TomlPrinter : public FieldVisitor {
     for (std::size_t i = 0; i < items.size(); ++i) {
       TomlPrinter inner;
       items.visit(i, inner);
-      if (items.name) {
+      if (items.name || items.has_header) {
         blocks_.push_back(say("\n[[", key, "]]\n", inner.lines()));
       } else {
         texts.push_back(inner.braces());
       }
     }
-    if (items.name) return;
+    if (items.name || items.has_header) return;
     if (texts.empty() && key != "separation" && key != "alignment" && key != "cohesion") return;
-    const int order = texts.empty() ? 0 : *items.order(0);
+    const int order = texts.empty() || !items.order ? 0 : *items.order(0);
     entries_.push_back({order, std::string(key), texts.size() == 1 ? texts.front() : list_text(texts)});
   }
 

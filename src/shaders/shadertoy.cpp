@@ -26,6 +26,7 @@ class Objections {
       object("space.dimensions", "a space of three dimensions can't be the window");
     if (!scenario_.run.events.empty()) object("run.events", "a shader has no events");
     if (!scenario_.run.initial.empty()) object("run.initial", "a shader can't read boids from a file");
+    if (!scenario_.obstacles.empty()) object("obstacle", "a shader knows no obstacles");
     if (scenario_.flocks.size() > 31) object("flock", "a shader has at most 31 flocks");
     if (scenario_.boid_count() > most_shader_boids) {
       object("flock",

@@ -130,6 +130,7 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
     if (watch != nullptr) watch->looked_at(std::exchange(own.kernel.pairs, 0), part);
     const Watched watched(watch, Phase::motion, part);
     question.passes->are_wide() ? move_wide(motion, begin, end) : move_plain(motion, begin, end);
+    if (model.is_solid && !scratch.obstacles.empty()) keep_out(motion, begin, end);
     if (model.uses_colour) drift_colours(model, state, scratch, own.sums, begin, end);
   }
 }

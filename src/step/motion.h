@@ -26,4 +26,9 @@ void move_plain(Motion<D>& motion, std::size_t begin, std::size_t end);
 template <int D>
 void move_wide(Motion<D>& motion, std::size_t begin, std::size_t end);
 
+/// Solid obstacles: stops those of the moved boids [begin, end) whose way leads into one, and brings out who
+/// is inside.
+template <int D>
+void keep_out(Motion<D>& motion, std::size_t begin, std::size_t end);
+
 }  // namespace sturnus

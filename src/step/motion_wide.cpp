@@ -169,6 +169,7 @@ HWY_INLINE LaneVec<D> Feel(const TermModel& term, const Group<D>& group) {
 template <int D>
 bool IsSilent(const Motion<D>& motion, const TermModel& term) {
   if (term.kind == TermKind::pointer) return !motion.state.pointer.pressed;
+  if (term.kind == TermKind::avoid_obstacles) return motion.scratch.obstacles.empty();
   return term.kind == TermKind::custom &&
          motion.scratch.custom[static_cast<std::size_t>(term.row)][0].empty();
 }

@@ -24,6 +24,7 @@ void fit(Columns& columns, int axes, std::size_t size) {
 void poison(Scratch& scratch) {
   scratch.index.reset();
   scratch.is_indexed = false;
+  scratch.obstacles.forget();
   spoil(scratch.order);
   spoil(scratch.spare.ids);
   spoil(scratch.spare.bytes);

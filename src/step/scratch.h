@@ -6,6 +6,7 @@
 
 #include "neighbours/kernel.h"
 #include "neighbours/passes.h"
+#include "world/obstacle_index.h"
 #include "world/state.h"
 
 namespace sturnus {
@@ -30,6 +31,7 @@ struct Scratch {
   std::vector<Span> batches;           ///< of boids that are steered at once
   std::vector<std::uint64_t> weights;  ///< of blocks of batches, added up
   std::vector<PartScratch> parts;
+  ObstacleIndex obstacles;
   Columns next_colour;
   std::vector<Columns> custom;  ///< what each user rule asks for; empty: nothing
   /// Before the last step, for observers; during a step, where boids go.

@@ -8,6 +8,7 @@
 #include "base/float_settings.h"
 #include "base/text.h"
 #include "scenario/events.h"
+#include "scenario/obstacles.h"
 #include "step/step.h"
 #include "world/commands.h"
 #include "world/spawn.h"
@@ -110,8 +111,8 @@ struct Simulation::World {
       carry_out(log[done].event.command);
   }
 
-  // A state that was saved has what events did to its boids; parameters, targets and the pointer are set
-  // again, and what is past leaves the log: from here on it is part of how the run began.
+  // A state that was saved has what events did to its boids; parameters, targets, obstacles and the pointer are
+  // set again, and what is past leaves the log: from here on it is part of how the run began.
   void settle_past() {
     const auto first = static_cast<std::uint64_t>(initial.run.first_step);
     const auto is_past = [&](const Event& event) {
@@ -127,6 +128,8 @@ struct Simulation::World {
     log.erase(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(past));
     initial = scenario;
     initial.run.resumed = false;
+    // As they stand: where random ones stood depends on the space as it was.
+    if (past > 0) initial.obstacles = definitions_of(state.obstacles, model.dimensions);
     if (!has_pointer) return;
     const auto axes = static_cast<std::ptrdiff_t>(model.dimensions);
     const Coordinates at(state.pointer.at.begin(), state.pointer.at.begin() + axes);
@@ -177,6 +180,12 @@ std::string too_many(double boids) {
              " GB of memory, but this machine has ", gigabytes(bytes_available()), " GB");
 }
 
+Problem no_free_place(const ScenarioDef& scenario, std::size_t flock, std::int64_t inside) {
+  const FlockDef& def = scenario.flocks[flock];
+  return {scenario.file, 0, say("flock.", def.name, ".start"),
+          say(inside, " of ", def.count, " boids found no place outside of the obstacles"), false};
+}
+
 void check_memory(const ScenarioDef& scenario, Problems& problems) {
   auto boids = static_cast<double>(scenario.run.initial.empty() ? scenario.boid_count() : 0);
   std::string key = "flock.count";
@@ -211,6 +220,8 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   auto world = std::make_unique<World>(scenario, options.threads);
   world->state.dimensions = world->model.dimensions;
   world->state.step = static_cast<std::uint64_t>(run.first_step);
+  world->state.obstacles = *obstacles_of(scenario);
+  wrap_positions(world->model, world->state);
   if (all != nullptr) {
     world->settle_past();
     append_boids(world->scenario, world->model, *all, -1, world->state);
@@ -218,7 +229,8 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   for (std::size_t i = 0; all == nullptr && i < scenario.flocks.size(); ++i) {
     const std::string& file = scenario.flocks[i].start.file;
     if (file.empty()) {
-      spawn_flock(scenario, world->model, i, world->state);
+      const std::int64_t inside = spawn_flock(scenario, world->model, i, world->state);
+      if (inside > 0) problems.push_back(no_free_place(scenario, i, inside));
     } else if (const State* some =
                    table_of(options, scenario, file, say("flock.", scenario.flocks[i].name, ".start.file"),
                             problems)) {

@@ -59,6 +59,8 @@ class Steering {
         return pointer_pull<D>(model_.pointer, state_.pointer, own, image_, flock.max_speed);
       case TermKind::custom:
         return scratch_.custom[row][0].empty() ? Vec<D>{} : at<D>(scratch_.custom[row], i);
+      case TermKind::avoid_obstacles:
+        return avoid_obstacles<D>(term, flock, model_, scratch_.obstacles, own);
     }
     return {};
   }

@@ -95,6 +95,7 @@ void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch
     const Watched watched(outside.watch, Phase::sort, 0);
     quarantine(model, state, workers);
     sort_by_place(model, state, scratch, workers);
+    scratch.obstacles.fit(model, state.obstacles, model.obstacle_reach);
     ask_outside(scenario, state, scratch, outside, workers);
   }
   flock(model, state, scratch, outside.watch, workers);

@@ -18,17 +18,31 @@ std::array<float, 3> floats(const Coordinates& at) {
   return out;
 }
 
-// From the place to a boid, in double: the offset between places in different images of a wrapped space.
-Vec<3, double> offset_from(const Coordinates& at, const Model& model, const State& state, std::size_t i) {
+// From a place to another, in double: the offset between places in different images of a wrapped space.
+Vec<3, double> offset_from(const Coordinates& at, const Model& model, const std::array<float, 3>& to) {
   Vec<3, double> out;
   for (std::size_t axis = 0; axis < at.size(); ++axis) {
-    double o = double{state.position[axis][i]} - at[axis];
+    double o = double{to[axis]} - at[axis];
     const double size = model.size[axis];
     if (model.wraps() && o > size / 2) o -= size;
     if (model.wraps() && o < -size / 2) o += size;
     out[static_cast<int>(axis)] = o;
   }
   return out;
+}
+
+std::array<float, 3> place_in(const State& state, std::size_t i) {
+  std::array<float, 3> out{};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(state.dimensions); ++axis)
+    out[axis] = state.position[axis][i];
+  return out;
+}
+
+void erase_obstacles(const Model& model, const EraseBoids& erase, State& state) {
+  std::erase_if(state.obstacles, [&](const Obstacle& obstacle) {
+    const auto o = offset_from(erase.at, model, obstacle.at);
+    return obstacle.kind != ObstacleKind::plane && dot(o, o) <= erase.radius * erase.radius;
+  });
 }
 
 float full_speed(const FlockModel& flock, float own_speed) {
@@ -61,10 +75,20 @@ struct Applier {
     return {.has_moved_boids = true};
   }
 
+  Applied operator()(const PlaceObstacle& obstacle) const {
+    Obstacle sphere;
+    sphere.at = floats(obstacle.at);
+    sphere.radius = static_cast<float>(obstacle.radius);
+    state.obstacles.push_back(sphere);
+    wrap_positions(model, state);
+    return {};
+  }
+
   Applied operator()(const EraseBoids& erase) const {
+    erase_obstacles(model, erase, state);
     std::vector<std::uint8_t> marks(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(erase.at, model, state, i);
+      const auto o = offset_from(erase.at, model, place_in(state, i));
       marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
     }
     keep(state, marks);
@@ -97,7 +121,7 @@ struct Applier {
 
   Applied operator()(const ScatterBoids& scatter) const {
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(scatter.at, model, state, i);
+      const auto o = offset_from(scatter.at, model, place_in(state, i));
       if (dot(o, o) > scatter.radius * scatter.radius || state.quarantined[i] != 0) continue;
       model.dimensions == 3 ? scatter_boid<3>(model, o, state, i) : scatter_boid<2>(model, o, state, i);
     }
@@ -124,7 +148,9 @@ Applied apply(const Command& command, ScenarioDef& scenario, Model& model, State
 Applied redo(const Command& command, std::uint64_t step, ScenarioDef& scenario, Model& model, State& state) {
   Applied applied;
   applied.has_compiled = changes(command, step, scenario, model, state);
-  if (std::holds_alternative<MovePointer>(command)) std::visit(Applier{scenario, model, state}, command);
+  if (std::holds_alternative<MovePointer>(command) || std::holds_alternative<PlaceObstacle>(command))
+    std::visit(Applier{scenario, model, state}, command);
+  if (const auto* erase = std::get_if<EraseBoids>(&command)) erase_obstacles(model, *erase, state);
   return applied;
 }
 
@@ -138,6 +164,7 @@ void fit_to_model(const ScenarioDef& scenario, const Model& model, State& state)
     state.step = old.step;
     state.next_id = old.next_id;
     state.pointer = old.pointer;
+    state.obstacles = old.obstacles;
     append_boids(scenario, model, old, -1, state);
   }
   wrap_positions(model, state);

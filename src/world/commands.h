@@ -18,7 +18,7 @@ struct Applied {
 Applied apply(const Command& command, ScenarioDef& scenario, Model& model, State& state);
 
 /// What of a command of the past, done before that step, is not in the boids that were saved since:
-/// parameters, targets, the pointer.
+/// parameters, targets, obstacles, the pointer.
 Applied redo(const Command& command, std::uint64_t step, ScenarioDef& scenario, Model& model, State& state);
 
 /// Makes the state keep what the model now uses: wander directions and colours appear or go, places are

@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "world/columns.h"
+#include "world/obstacle_index.h"
 #include "world/state.h"
 
 namespace sturnus {
@@ -131,17 +132,63 @@ void reserve(State& state, std::size_t size) {
   for_each_array(state, [size](auto& array) { array.reserve(size); });
 }
 
+// Places among the obstacles of a state for boids of one size.
 template <int D>
-void spawn_flock_in(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state) {
+class FreePlaces {
+ public:
+  FreePlaces(const Model& model, std::size_t flock, const State& state)
+      : model_(model), body_(model.flocks[flock].body_radius) {
+    index_.fit(model, state.obstacles, body_);
+  }
+
+  /// Draws until a place is free; false, with the last place, when none was found.
+  template <class Draw>
+  bool find(Vec<D>& place, Draw&& draw) const {
+    constexpr int most_tries = 1000;
+    for (int tries = 0; tries < most_tries; ++tries) {
+      place = draw();
+      if (is_free(place)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool is_free(Vec<D> place) const {
+    if (index_.empty()) return true;
+    for (int axis = 0; axis < D && model_.wraps(); ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      place[axis] = wrapped(place[axis], model_.min[i], model_.max[i]);
+    }
+    bool free = true;
+    const Place<D> from = place_of(place);
+    index_.visit(place, double{body_}, [&](const Obstacle& obstacle) {
+      const Place<D> o = way(model_, from, place_of<D>(obstacle.at));
+      free = free && !(surface(obstacle, o, double{body_}).distance < 0);
+    });
+    return free;
+  }
+
+  const Model& model_;
+  float body_;
+  ObstacleIndex index_;
+};
+
+template <int D>
+std::int64_t spawn_flock_in(const ScenarioDef& scenario, const Model& model, std::size_t flock,
+                            State& state) {
   const FlockDef& def = scenario.flocks[flock];
   reserve(state, state.size() + static_cast<std::size_t>(def.count));
+  const FreePlaces<D> places(model, flock, state);
+  std::int64_t inside = 0;
   for (std::int64_t i = 0; i < def.count; ++i) {
     const std::uint64_t id = state.next_id++;
     Draws position_draws(model.seed, state.step, id, Stream::start_position);
     Draws velocity_draws(model.seed, state.step, id, Stream::start_velocity);
-    const auto position = start_position<D>(def.start, model, position_draws);
+    Vec<D> position;
+    if (!places.find(position, [&] { return start_position<D>(def.start, model, position_draws); })) ++inside;
     push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(def.start, velocity_draws), state);
   }
+  return inside;
 }
 
 template <int D>
@@ -149,13 +196,16 @@ void spawn_around_in(const ScenarioDef& scenario, const Model& model, const AddB
   std::size_t flock = 0;
   while (scenario.flocks[flock].name != add.flock) ++flock;
   const FlockDef& def = scenario.flocks[flock];
+  const FreePlaces<D> places(model, flock, state);
   for (std::int64_t i = 0; i < add.count; ++i) {
     const std::uint64_t id = state.next_id++;
     Draws position_draws(model.seed, state.step, id, Stream::start_position);
     Draws velocity_draws(model.seed, state.step, id, Stream::start_velocity);
-    const auto offset = position_draws.in_ball<D>() * static_cast<float>(add.radius);
-    push_boid<D>(scenario, model, flock, id, vec_of<D>(add.at, {}) + offset,
-                 start_velocity<D>(def.start, velocity_draws), state);
+    Vec<D> position;
+    places.find(position, [&] {
+      return vec_of<D>(add.at, {}) + position_draws.in_ball<D>() * static_cast<float>(add.radius);
+    });
+    push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(def.start, velocity_draws), state);
   }
 }
 
@@ -187,9 +237,9 @@ void append_boids_in(const ScenarioDef& scenario, const Model& model, const Stat
 
 }  // namespace
 
-void spawn_flock(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state) {
-  model.dimensions == 3 ? spawn_flock_in<3>(scenario, model, flock, state)
-                        : spawn_flock_in<2>(scenario, model, flock, state);
+std::int64_t spawn_flock(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state) {
+  return model.dimensions == 3 ? spawn_flock_in<3>(scenario, model, flock, state)
+                               : spawn_flock_in<2>(scenario, model, flock, state);
 }
 
 void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
@@ -205,6 +255,7 @@ void append_boids(const ScenarioDef& scenario, const Model& model, const State& 
 
 void wrap_positions(const Model& model, State& state) {
   if (!model.wraps()) return;
+  wrap_obstacles(state, model.min, model.max);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(model.dimensions); ++axis) {
     for (float& coordinate : state.position[axis])
       coordinate = wrapped(coordinate, model.min[axis], model.max[axis]);

@@ -7,10 +7,11 @@
 
 namespace sturnus {
 
-/// Appends `flock.count` boids as the flock's start says.
-void spawn_flock(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state);
+/// Appends `flock.count` boids as the flock's start says, outside of the state's obstacles. Returns how many
+/// found no such place and stand inside.
+std::int64_t spawn_flock(const ScenarioDef& scenario, const Model& model, std::size_t flock, State& state);
 
-/// Appends boids around a place as AddBoids says.
+/// Appends boids around a place as AddBoids says, outside of obstacles where there is such a place.
 void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state);
 
 /// Appends the boids of another state that belong to `flock`; all flocks when it is -1. Ids that are taken
@@ -18,7 +19,7 @@ void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoid
 void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock,
                   State& state);
 
-/// Brings every boid into a wrapped space.
+/// Brings every boid and the middle of every obstacle into a wrapped space.
 void wrap_positions(const Model& model, State& state);
 
 }  // namespace sturnus

@@ -28,6 +28,18 @@ void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order, std
   array.swap(moved);
 }
 
+// 0 without obstacles. Their order is part of it: a number is an obstacle's name.
+std::uint64_t hash_of(const std::vector<Obstacle>& obstacles) {
+  std::uint64_t hash = 0;
+  for (const Obstacle& obstacle : obstacles) {
+    hash = fold(fold(hash, static_cast<std::uint64_t>(obstacle.kind)), bits_of(obstacle.radius));
+    for (const auto* vector : {&obstacle.at, &obstacle.half, &obstacle.normal}) {
+      for (const float value : *vector) hash = fold(hash, bits_of(value));
+    }
+  }
+  return hash;
+}
+
 // Whether every value is that of the first, so that no order matters.
 bool is_even(const std::vector<std::uint8_t>& array) {
   return array.size() < 2 || std::memcmp(array.data(), array.data() + 1, array.size() - 1) == 0;
@@ -52,7 +64,7 @@ std::uint64_t hash(const State& state) {
       fold(fold(fold(0, state.step), state.next_id), static_cast<std::uint64_t>(state.dimensions));
   rest = fold(rest, static_cast<std::uint64_t>(state.pointer.mode) * 2 + (state.pointer.pressed ? 1 : 0));
   for (const float coordinate : state.pointer.at) rest = fold(rest, bits_of(coordinate));
-  return sum + rest;
+  return sum + rest + hash_of(state.obstacles);
 }
 
 void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare, const Workers& workers) {
@@ -85,6 +97,14 @@ float wrapped_from_outside(float coordinate, float min, float max) {
   const float size = max - min;
   const float turned = coordinate - size * std::floor((coordinate - min) / size);
   return turned >= min && turned < max ? turned : min;
+}
+
+void wrap_obstacles(State& state, const std::array<float, 3>& min, const std::array<float, 3>& max) {
+  for (Obstacle& obstacle : state.obstacles) {
+    if (obstacle.kind == ObstacleKind::plane) continue;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(state.dimensions); ++axis)
+      obstacle.at[axis] = wrapped(obstacle.at[axis], min[axis], max[axis]);
+  }
 }
 
 bool is_any_hidden(const State& state) {

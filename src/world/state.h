@@ -55,6 +55,9 @@ inline float wrapped(float coordinate, float min, float max) {
   return coordinate >= min && coordinate < max ? coordinate : wrapped_from_outside(coordinate, min, max);
 }
 
+/// Brings the centres of spheres and boxes into a wrapped space with these corners.
+void wrap_obstacles(State& state, const std::array<float, 3>& min, const std::array<float, 3>& max);
+
 /// Bytes that a run of that many boids needs, and bytes that the machine has to give.
 double bytes_needed(double boids);
 double bytes_available();
