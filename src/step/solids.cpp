@@ -20,12 +20,15 @@ class Solids {
       : model_(model), obstacles_(obstacles), body_(double{body}) {}
 
   void keep_out(const Vec<D>& old, Vec<D>& position, Vec<D>& velocity) const {
-    if (deepest(old).distance < 0) return bring_out(old, position, velocity);
     const Place<D> from = place_of(old);
     const Place<D> motion = way(model_, from, place_of(position));
+    const double reach = body_ + length(motion);
+    bool is_near = false;
+    obstacles_.visit(old, reach, [&](const Obstacle&) { is_near = true; });
+    if (!is_near) return;
+    if (deepest(old).distance < 0) return bring_out(old, position, velocity);
     Met met{1, {}, 0};
-    obstacles_.visit(old, body_ + length(motion),
-                     [&](const Obstacle& obstacle) { hit(obstacle, from, motion, met); });
+    obstacles_.visit(old, reach, [&](const Obstacle& obstacle) { hit(obstacle, from, motion, met); });
     if (met.size > 0) {
       drop_inward(velocity, met.out);
       position = settled(from + motion * met.t + met.out * (gap * met.size));

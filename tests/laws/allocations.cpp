@@ -77,6 +77,8 @@ const std::vector<Case> cases = {
     {"FieldOfView", "quadtree", {}},
     {"MarginsThatTurn", "ucsd", {}},
     {"Wander", "murmuration", {}},
+    {"SolidObstacles", "vuw-challenge", {}},
+    {"ObstaclesAllRound", "cs184-bordered", {}},
 };
 
 std::size_t allocations_of_a_step(const Case& one, int threads) {

@@ -19,6 +19,8 @@ ScenarioDef two_flocks() {
   fish.count = *rc::gen::inRange(0, 60);
   fish.noise = Noise{.acceleration = 0.02};
   fish.cohesion.front().sample = 0.5;
+  fish.avoid_obstacles = AvoidObstacles{};
+  scenario.space.solid = *rc::gen::arbitrary<bool>();
   scenario.flocks.push_back(fish);
   FlockDef& hawks = scenario.flocks.back();
   hawks.name = "hawks";
@@ -63,7 +65,7 @@ SetParameter random_setting() {
 Command random_command(const Simulation& simulation) {
   const ScenarioDef& scenario = simulation.scenario();
   const Coordinates at = random_place(scenario);
-  switch (*rc::gen::inRange(0, 6)) {
+  switch (*rc::gen::inRange(0, 7)) {
     case 0:
       return AddBoids{*rc::gen::element<std::string>("fish", "hawks"), *rc::gen::inRange(0, 9), at, 4.3};
     case 1:
@@ -73,6 +75,8 @@ Command random_command(const Simulation& simulation) {
     case 3:
       return MovePointer{*rc::gen::element(PointerMode::attract, PointerMode::repel), at,
                          *rc::gen::arbitrary<bool>()};
+    case 4:
+      return PlaceObstacle{at, *rc::gen::inRange(0, 20) / 2.0};
     default:
       return random_setting();
   }

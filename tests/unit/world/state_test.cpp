@@ -71,6 +71,7 @@ TEST(StateHash, TheRestOfTheStateCounts) {
   EXPECT_TRUE(changed([](State& other) { other.step += 1; }));
   EXPECT_TRUE(changed([](State& other) { other.next_id += 1; }));
   EXPECT_TRUE(changed([](State& other) { other.pointer.pressed = true; }));
+  EXPECT_TRUE(changed([](State& other) { other.obstacles.emplace_back(); }));
   EXPECT_TRUE(changed([](State& other) { other.pointer.mode = PointerMode::repel; }));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_TRUE(changed([axis](State& other) { other.pointer.at[axis] = 1; }));
