@@ -115,6 +115,13 @@ TEST(PlacedObstacles, DoNotMakeTheLastStepForgotten) {
   EXPECT_TRUE(simulation.view().has_previous());
 }
 
+const std::vector<std::pair<std::string, std::string>> settings = {
+    {"flock.boids.wander.weight", "0.1"},
+    {"space.per_boid", "140"},
+    {"space.solid", "false"},
+    {"flock.boids.body_radius", "0.9"},
+    {"flock.boids.avoid_obstacles.look_ahead", "5"}};
+
 Command random_command() {
   const auto place = [] {
     return Coordinates{*rc::gen::inRange(-130, 130) * 1.0, *rc::gen::inRange(-130, 130) * 1.0};
@@ -125,9 +132,7 @@ Command random_command() {
     case 1:
       return AddBoids{"boids", *rc::gen::inRange(0, 20), place(), 10};
     case 2: {
-      const auto [path, value] = *rc::gen::element<std::pair<std::string, std::string>>(
-          {"flock.boids.wander.weight", "0.1"}, {"space.per_boid", "140"}, {"space.solid", "false"},
-          {"flock.boids.body_radius", "0.9"}, {"flock.boids.avoid_obstacles.look_ahead", "5"});
+      const auto [path, value] = *rc::gen::elementOf(settings);
       return SetParameter{path, value};
     }
     default:
