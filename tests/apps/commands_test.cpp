@@ -54,9 +54,10 @@ TEST_F(Commands, HelpShowsEveryOption) {
     EXPECT_SAYS(run_help, option);
   }
   const std::string render_help = run_well({"render", "--help"}).out;
-  for (const char* option : {"-o,", "--steps", "--fps", "--size WxH", "--every", "--trails",
-                             "--show index|velocities", "--sheet", "--theme dark|light", "--no-caption",
-                             "--count", "--seed", "--set", "--threads", "--index", "--initial"}) {
+  for (const char* option :
+       {"-o,", "--steps", "--fps", "--size WxH", "--every", "--trails", "--show index|velocities|vectors",
+        "--boid", "--zoom", "--sheet", "--theme dark|light", "--no-caption", "--count", "--seed", "--set",
+        "--threads", "--index", "--initial"}) {
     EXPECT_SAYS(render_help, option);
   }
 }

@@ -1,4 +1,5 @@
 // sturnus explain: its table, its JSON beside the next step of the same run, and what it refuses.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -74,9 +75,11 @@ TEST_F(Explain, TheJsonAddsUp) {
   std::size_t listed = 0;
   for (const auto& one : told["neighbours"])
     listed += std::count(one["terms"].begin(), one["terms"].end(), "cohesion") > 0 ? 1u : 0u;
-  for (const auto& term : told["terms"]) {
-    if (term["name"] == "cohesion") EXPECT_EQ(term["neighbours"], listed);
-  }
+  const auto& terms = told["terms"];
+  const auto cohesion =
+      std::find_if(terms.begin(), terms.end(), [](const auto& term) { return term["name"] == "cohesion"; });
+  ASSERT_NE(cohesion, terms.end());
+  EXPECT_EQ((*cohesion)["neighbours"], listed);
 }
 
 TEST_F(Explain, GoesOnFromAState) {
