@@ -13,6 +13,7 @@ enum Exit : int {
   done = 0,
   failed = 1,         ///< while running: an output that can't be written, no ffmpeg, a full disk
   bad_input = 2,      ///< wrong usage or a wrong file
+  different = 3,      ///< what was compared differs
   interrupted = 130,  ///< by Ctrl-C, with what was done written
 };
 

@@ -13,6 +13,8 @@ void add_keys(CLI::App& app, Request& request);
 void add_new(CLI::App& app, Request& request);
 void add_check(CLI::App& app, Request& request);
 void add_bench(CLI::App& app, Request& request);
+void add_explain(CLI::App& app, Request& request);
+void add_compare(CLI::App& app, Request& request);
 void add_shadertoy(CLI::App& app, Request& request);
 
 }  // namespace program

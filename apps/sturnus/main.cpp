@@ -1,4 +1,4 @@
-// The program `sturnus`: reads the command line, does what it asks, and ends with 0, 1, 2 or 130.
+// The program `sturnus`: reads the command line, does what it asks, and ends with 0, 1, 2, 3 or 130.
 #include "command_line.h"
 #include "commands.h"
 #include "output.h"
@@ -21,7 +21,8 @@ void describe(CLI::App& app, Request& request) {
   app.require_subcommand(0, 1);
   app.footer(
       "sturnus COMMAND --help explains a command, with examples.\n"
-      "Exit codes: 0 done, 1 failed while running, 2 bad usage or input, 130 interrupted.");
+      "Exit codes: 0 done, 1 failed while running, 2 bad usage or input, 3 compared files differ, "
+      "130 interrupted.");
   add_run(app, request);
   add_render(app, request);
   add_list(app, request);
@@ -30,6 +31,8 @@ void describe(CLI::App& app, Request& request) {
   add_new(app, request);
   add_check(app, request);
   add_bench(app, request);
+  add_explain(app, request);
+  add_compare(app, request);
   add_shadertoy(app, request);
 }
 

@@ -2,6 +2,7 @@
 #include <sturnus/files.h>
 #include <sturnus/render.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -34,12 +35,15 @@ struct RenderOptions {
   std::optional<std::int64_t> every;
   bool trails = false;
   std::vector<std::string> show;
+  std::optional<std::int64_t> boid;  ///< whose vectors are shown
+  bool zoom = false;
   std::string sheet;
   std::string theme = "dark";
   bool no_caption = false;
 
   bool is_movie() const { return sturnus::is_movie_name(output); }
   bool is_sheet() const { return !sheet.empty(); }
+  bool shows(const char* what) const { return std::find(show.begin(), show.end(), what) != show.end(); }
 };
 
 // How the flock is drawn, after the options are understood.
@@ -69,6 +73,11 @@ Status check_combination(const RenderOptions& options) {
   }
   if (options.is_movie() && options.is_sheet())
     return complaint("--sheet", "\"" + name + "\" is a video; a sheet is one picture, .png or .ppm");
+  for (const auto& [name_of_option, is_given] :
+       {std::pair("--boid", options.boid.has_value()), std::pair("--zoom", options.zoom)}) {
+    if (is_given && !options.shows("vectors"))
+      return complaint(name_of_option, "goes with --show vectors, which draws what one boid feels");
+  }
   if (options.is_movie()) return {};
   if (options.every)
     return complaint("--every", "\"" + name + "\" is one picture; this option is for videos");
@@ -128,8 +137,11 @@ sturnus::Result<Plan> plan_of(const RenderOptions& options) {
   plan.every = static_cast<std::uint64_t>(options.every.value_or(1));
   plan.with_progress = !options.work.quiet;
   plan.drawing.trails = options.trails;
-  for (const std::string& shown : options.show)
-    (shown == "index" ? plan.drawing.index : plan.drawing.velocities) = true;
+  plan.drawing.index = options.shows("index");
+  plan.drawing.velocities = options.shows("velocities");
+  plan.drawing.vectors = options.shows("vectors");
+  if (options.boid) plan.drawing.boid = static_cast<std::uint64_t>(*options.boid);
+  plan.drawing.zoom = options.zoom;
   plan.drawing.caption =
       !options.no_caption && !options.is_sheet();  // a sheet's pictures have captions of their own
   plan.drawing.threads = options.work.thread_count();
@@ -218,6 +230,13 @@ void print_outcome(const Plan& plan, const Simulation& flock, const Outcome& out
         format(", hash %016llx\n", static_cast<unsigned long long>(flock.hash())));
 }
 
+// Whoever is not there may still come where events add boids.
+Status check_boid(const RenderOptions& options, const Simulation& flock) {
+  if (!options.boid || flock.view().slot(static_cast<std::uint64_t>(*options.boid))) return {};
+  if (!flock.recording().run.events.empty()) return {};
+  return complaint("--boid", "there is no boid with id " + std::to_string(*options.boid));
+}
+
 int render(const RenderOptions& options) {
   const auto plan = plan_of(options);
   if (!plan) return refuse(plan.problems());
@@ -226,6 +245,7 @@ int render(const RenderOptions& options) {
   if (const Status status = sturnus::check_output(options.output); !status) return fail(status.problems());
   auto flock = sturnus::open_simulation(*scenario, options.work.thread_count());
   if (!flock) return refuse(flock.problems());
+  if (const Status status = check_boid(options, *flock); !status) return refuse(status.problems());
   const auto outcome = options.is_movie()   ? render_movie(*flock, *plan)
                        : options.is_sheet() ? render_sheet(*flock, *plan)
                                             : render_picture(*flock, *plan);
@@ -244,6 +264,7 @@ void add_render(CLI::App& app, Request& request) {
                    "sturnus render ucsd -o flock.gif --size 640x360 --every 2",
                    "sturnus render ucsd -o sheet.png --sheet 4x3",
                    "sturnus render quadtree -o tree.png --index tree --show index",
+                   "sturnus render ucsd -o why.png --show vectors --boid 17",
                    "sturnus render ucsd -o frames/%05d.png --trails --theme light"});
   const auto options = std::make_shared<RenderOptions>();
   add_scenario_options(*command, options->scenario);
@@ -262,10 +283,13 @@ void add_render(CLI::App& app, Request& request) {
   command->add_flag("--trails", options->trails, "Draw where each boid was");
   command
       ->add_option("--show", options->show,
-                   "Draw the neighbour index's boxes, or an arrow along each velocity")
-      ->type_name("index|velocities")
+                   "Draw the neighbour index's boxes, an arrow along each velocity, or what one boid feels")
+      ->type_name("index|velocities|vectors")
       ->allow_extra_args(false)
-      ->check(one_of({"index", "velocities"}));
+      ->check(one_of({"index", "velocities", "vectors"}));
+  add_whole(*command, "--boid", options->boid, 0, 9007199254740991,
+            "Whose vectors (default: of the boid nearest to the middle)");
+  command->add_flag("--zoom", options->zoom, "With vectors: show only what that boid can see");
   add_choice(*command, "--theme", options->theme, {"dark", "light"}, "Colours for screens or for print");
   command->add_flag("--no-caption", options->no_caption, "Leave out title, step and count");
   add_work_options(*command, options->work);

@@ -6,6 +6,7 @@
 #include <sturnus/simulation.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,12 @@ struct RenderOptions {
   bool trails = false;      ///< where each boid was in the last `camera.trail` steps
   bool index = false;       ///< cells or leaves of the neighbour index that hold boids
   bool velocities = false;  ///< an arrow along each velocity
-  bool caption = true;      ///< title, step and count in a corner
-  int threads = 0;          ///< 0: one for each core; the picture does not depend on it
+  bool vectors = false;     ///< what one boid feels: an arrow for each term, its reaches, its neighbours
+  /// Whose vectors; not given: of the boid that is nearest to the middle of the first picture.
+  std::optional<std::uint64_t> boid = {};
+  bool zoom = false;    ///< with vectors: show only what that boid can see
+  bool caption = true;  ///< title, step and count in a corner, and with vectors a legend
+  int threads = 0;      ///< 0: one for each core; the picture does not depend on it
 };
 
 /// Draws one simulation again and again. Trails need to have seen every step: call `follow` after each.

@@ -5,6 +5,7 @@
 // bit.
 #pragma once
 
+#include <sturnus/explain.h>
 #include <sturnus/result.h>
 #include <sturnus/scenario.h>
 #include <sturnus/view.h>
@@ -106,6 +107,11 @@ class Simulation {
   /// Tells `watch` of the parts of every later step; null: nobody. It has to outlive the simulation or be
   /// taken off before. Changes no result.
   void watch(StepWatch* watch);
+
+  /// What the boid with this id would feel in a step from here, to the bits that the step computes; or why
+  /// nobody can say: there is no such boid, or it is out of play. Changes nothing. Asks the user's own rules
+  /// once more; what events are still to do at this very step, as after `restore`, is not foreseen.
+  Result<Explanation> explain(std::uint64_t id) const;
 
   /// The places of the neighbour index's cells or leaves, for pictures: min and max corner of each.
   std::vector<std::array<std::array<float, 3>, 2>> index_boxes() const;

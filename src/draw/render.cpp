@@ -7,13 +7,17 @@
 #include "draw/plot.h"
 #include "draw/sheet.h"
 #include "observe/scene.h"
+#include "observe/vectors.h"
 
 namespace sturnus {
 namespace {
 
 SceneColours scene_colours(const Theme& theme) {
-  return {theme.flocks,    theme.outline,   theme.surface,  theme.text,
-          theme.attractor, theme.attractor, theme.predator, theme.obstacle};
+  const auto& flocks = theme.flocks;
+  SceneColours out = {theme.flocks,    theme.outline,   theme.surface,  theme.text,
+                      theme.attractor, theme.attractor, theme.predator, theme.obstacle};
+  out.terms = {theme.predator, flocks[0], flocks[2], flocks[3], flocks[1], flocks[4], flocks[5]};
+  return out;
 }
 
 Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {
@@ -23,14 +27,21 @@ Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {
   return out;
 }
 
-Viewpoint viewpoint_of(const View& view, Size size) {
+// Of the longest arrow: a good part of the picture, whatever the numbers.
+float arrow_length(const Framing& frame, int dimensions) {
+  float side = frame.high[0] - frame.low[0];
+  for (int axis = 1; axis < dimensions; ++axis) side = std::min(side, frame.high[axis] - frame.low[axis]);
+  return 0.2f * side;
+}
+
+// `is_near`: the frame is what one boid sees, and not for the scenario's camera to choose.
+Viewpoint viewpoint_of(const View& view, const Framing& frame, Size size, bool is_near) {
   const CameraDef& camera = view.scenario().camera;
-  const Framing frame = framing_of(view);
   if (view.dimensions() == 2) return flat_view(frame.low, frame.high);
   const auto field_of_view = static_cast<float>(camera.field_of_view);
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
   Viewpoint fitted = three_quarter_view(frame.low, frame.high, aspect, field_of_view);
-  if (camera.eye.empty() && camera.target.empty()) return fitted;
+  if (is_near || (camera.eye.empty() && camera.target.empty())) return fitted;
   const Vec<3> target = vec_of(camera.target, fitted.target);
   Viewpoint given = look_at(vec_of(camera.eye, fitted.eye), target, fitted.up, field_of_view);
   const float middle = length(target - given.eye);
@@ -47,7 +58,24 @@ struct Renderer::Parts {
   Workers workers;
   Trails trails;
   DrawList list;
+  std::optional<std::uint64_t> explained = {};  ///< the boid whose vectors are drawn
+
+  std::optional<Explanation> explain(const Simulation& simulation);
 };
+
+// Whoever was looked at first is looked at as long as it lives.
+std::optional<Explanation> Renderer::Parts::explain(const Simulation& simulation) {
+  if (!options.vectors) return {};
+  if (options.boid) explained = options.boid;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    if (!explained) explained = boid_in_the_middle(simulation.view());
+    if (!explained) return {};
+    if (auto told = simulation.explain(*explained)) return std::move(*told);
+    if (options.boid) return {};
+    explained.reset();
+  }
+  return {};
+}
 
 Renderer::Renderer(const RenderOptions& options)
     : parts_(std::make_unique<Parts>(Parts{options, Workers(options.threads), {}, {}})) {}
@@ -63,13 +91,25 @@ Image Renderer::frame(const Simulation& simulation) {
   const RenderOptions& options = parts_->options;
   const View view = simulation.view();
   const Theme& colours = theme(options.picture.theme);
-  parts_->list.clear();
-  SceneOptions scene{options.velocities, options.caption, {}};
+  const SceneColours of_scene = scene_colours(colours);
+  DrawList& list = parts_->list;
+  list.clear();
+  SceneOptions scene{options.velocities, options.caption, {}, {}};
+  const std::optional<Explanation> told = parts_->explain(simulation);
+  Framing frame = framing_of(view);
+  const std::optional<Framing> near = told && options.zoom ? framing_of(*told) : std::nullopt;
+  if (near) frame = *near;
+  // In space those who are nearer to the eye would hide what there is to see.
+  const bool is_cleared = near && view.dimensions() == 3;
+  if (told) scene.boid_colours = vector_colours(view, *told, of_scene, is_cleared ? near : std::nullopt);
   if (options.index) scene.index_boxes = simulation.index_boxes();
-  if (options.trails) parts_->trails.add_to(view, scene_colours(colours), parts_->list);
-  make_scene(view, scene_colours(colours), scene, parts_->list);
-  return draw(parts_->list, viewpoint_of(view, options.picture.size), colours, options.picture.size,
-              parts_->workers, options.picture.supersampling);
+  if (options.trails) parts_->trails.add_to(view, of_scene, list);
+  make_scene(view, of_scene, scene, list);
+  if (told) add_vectors(view, *told, of_scene, arrow_length(frame, view.dimensions()), list);
+  if (told && !near) add_halo(view, *told, of_scene, list);
+  if (told && options.caption) add_legend(*told, of_scene, list);
+  return draw(list, viewpoint_of(view, frame, options.picture.size, near.has_value()), colours,
+              options.picture.size, parts_->workers, options.picture.supersampling);
 }
 
 namespace {

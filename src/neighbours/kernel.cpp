@@ -56,6 +56,22 @@ bool sampled(const NeighbourRow& row, const Target<D>& target, std::uint64_t nei
          row.sample_below;
 }
 
+// All filters but that nobody is its own neighbour.
+template <int D>
+bool passes(const NeighbourRow& row, const Target<D>& target, const Boids& sources,
+            const Neighbour<D>& neighbour) {
+  const bool in_ring =
+      row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
+  if (!in_ring || (row.flocks & sources.flock_bit(neighbour.slot)) == 0) return false;
+  return sees(row, target, neighbour) && sampled(row, target, sources.id[neighbour.slot]);
+}
+
+template <int D>
+Neighbour<D> neighbour_at(const Boids& sources, std::size_t i, const Vec<D>& from, const Wrapping& image) {
+  const Vec<D> o = offset(from, at<D>(sources.position, i), image);
+  return {i, o, dot(o, o)};
+}
+
 NeighbourSum rounded(RunningSum sum) {
   sum.fold();
   NeighbourSum out;
@@ -116,17 +132,12 @@ struct Walk {
 template <int D>
 void add_neighbour(const Walk& walk, const Target<D>& target, std::size_t i, std::span<RunningSum> sums) {
   const Boids& sources = walk.sources;
-  Neighbour<D> neighbour{i, offset(target.position, at<D>(sources.position, i), walk.image), 0};
-  neighbour.distance_squared = dot(neighbour.offset, neighbour.offset);
+  const auto neighbour = neighbour_at<D>(sources, i, target.position, walk.image);
   if (!(neighbour.distance_squared < walk.flock.reach_squared) || sources.id[i] == target.id) return;
   for (std::size_t r = 0; r < walk.flock.rows.size(); ++r) {
     const NeighbourRow& row = walk.flock.rows[r];
-    const bool in_ring =
-        row.inner_squared <= neighbour.distance_squared && neighbour.distance_squared < row.outer_squared;
-    if ((walk.rows >> r & 1) == 0 || !in_ring || (row.flocks & sources.flock_bit(i)) == 0) continue;
-    if (sees(row, target, neighbour) && sampled(row, target, sources.id[i])) {
+    if ((walk.rows >> r & 1) != 0 && passes(row, target, sources, neighbour))
       add_contribution(sums[r], row, sources, walk.few, neighbour);
-    }
   }
 }
 
@@ -264,6 +275,15 @@ void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span
 }
 
 template <int D>
+bool is_counted(const NeighbourRow& row, const Boids& targets, std::size_t j, const Boids& sources,
+                std::size_t i, const NeighbourQuestion& question) {
+  if (targets.id[j] == sources.id[i]) return false;
+  if (row.whole_population) return (row.flocks & sources.flock_bit(i)) != 0;
+  const auto target = target_at<D>(targets, j, question);
+  return passes(row, target, sources, neighbour_at<D>(sources, i, target.position, question.image));
+}
+
+template <int D>
 void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question, SumBlock& sums) {
   for (std::size_t j = batch.begin; j < batch.end; ++j) {
     if (targets.is_hidden(j)) continue;
@@ -291,6 +311,10 @@ template void sum_batch<2>(const Boids&, Span, const Boids&, std::span<const Spa
                            const SumPass&, KernelScratch&, SumBlock&);
 template void sum_batch<3>(const Boids&, Span, const Boids&, std::span<const Span>, const NeighbourQuestion&,
                            const SumPass&, KernelScratch&, SumBlock&);
+template bool is_counted<2>(const NeighbourRow&, const Boids&, std::size_t, const Boids&, std::size_t,
+                            const NeighbourQuestion&);
+template bool is_counted<3>(const NeighbourRow&, const Boids&, std::size_t, const Boids&, std::size_t,
+                            const NeighbourQuestion&);
 template Summed summed_by<2>(const NeighbourRow&, const Boids&);
 template Summed summed_by<3>(const NeighbourRow&, const Boids&);
 template void add_boid<2>(Totals&, const Boids&, std::size_t);

@@ -167,6 +167,11 @@ void sum_batch(const Boids& targets, Span batch, const Boids& sources, std::span
                const NeighbourQuestion& question, const SumPass& pass, KernelScratch& scratch,
                SumBlock& sums);
 
+/// Whether a row of target j's flock counts source i as its neighbour, for those who need names.
+template <int D>
+bool is_counted(const NeighbourRow& row, const Boids& targets, std::size_t j, const Boids& sources,
+                std::size_t i, const NeighbourQuestion& question);
+
 /// The rows of a batch that look at the whole population.
 template <int D>
 void add_populations(const Boids& targets, Span batch, const NeighbourQuestion& question, SumBlock& sums);

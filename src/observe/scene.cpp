@@ -16,19 +16,6 @@ std::uint8_t to_byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-GlyphKind kind_of(const FlockDef& flock, int dimensions) {
-  if (!flock.glyph) return dimensions == 3 ? GlyphKind::cone : GlyphKind::dart;
-  switch (*flock.glyph) {
-    case GlyphStyle::dart:
-      return GlyphKind::dart;
-    case GlyphStyle::cone:
-      return GlyphKind::cone;
-    case GlyphStyle::circle:
-      return GlyphKind::circle;
-  }
-  return GlyphKind::dart;
-}
-
 void add_outline(const View& view, const SceneColours& colours, DrawList& list) {
   if (!view.scenario().camera.outline) return;
   const Extent extent = extent_of(view.scenario());
@@ -97,6 +84,19 @@ void add_caption(const View& view, const SceneColours& colours, DrawList& list) 
 
 }  // namespace
 
+GlyphKind kind_of(const FlockDef& flock, int dimensions) {
+  if (!flock.glyph) return dimensions == 3 ? GlyphKind::cone : GlyphKind::dart;
+  switch (*flock.glyph) {
+    case GlyphStyle::dart:
+      return GlyphKind::dart;
+    case GlyphStyle::cone:
+      return GlyphKind::cone;
+    case GlyphStyle::circle:
+      return GlyphKind::circle;
+  }
+  return GlyphKind::dart;
+}
+
 Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours) {
   const State& state = view.state();
   if (!state.colour[0].empty()) {
@@ -159,9 +159,11 @@ void make_scene(const View& view, const SceneColours& colours, const SceneOption
   add_targets(view, colours, list);
   for (std::size_t slot = 0; slot < view.size(); ++slot) {
     const FlockDef& flock = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))];
+    const Rgba colour =
+        options.boid_colours.empty() ? colour_of(view, slot, colours) : options.boid_colours[slot];
+    if (colour.a == 0) continue;
     list.glyphs.push_back({Vec<3>{view.position(slot)}, Vec<3>{view.velocity(slot)},
-                           static_cast<float>(flock.size), colour_of(view, slot, colours),
-                           kind_of(flock, view.dimensions())});
+                           static_cast<float>(flock.size), colour, kind_of(flock, view.dimensions())});
     if (options.velocities) add_velocity(view, flock, slot, colours, list);
   }
   if (options.caption) add_caption(view, colours, list);

@@ -17,6 +17,7 @@ struct SceneColours {
   std::array<Rgba, 6> flocks{};
   Rgba outline, surface, text, accent;
   Rgba attractor, repeller, obstacle;
+  std::array<Rgba, 7> terms{};  ///< separation, alignment, cohesion, then whatever else is felt
 };
 
 /// What besides the boids is put into a scene.
@@ -24,6 +25,7 @@ struct SceneOptions {
   bool velocities = false;
   bool caption = true;
   std::vector<std::array<std::array<float, 3>, 2>> index_boxes;
+  std::vector<Rgba> boid_colours = {};  ///< by slot, not drawn where transparent; empty: `colour_of`
 };
 
 /// The path of every boid over the last steps, by id; pieces never cross the seam of a wrapped space.
@@ -43,6 +45,9 @@ class Trails {
 
 /// The colour that a boid is drawn in: its own drifting one, its flock's, or the palette's.
 Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours);
+
+/// The glyph of a flock's boids.
+GlyphKind kind_of(const FlockDef& flock, int dimensions);
 
 /// Fills a draw list with the space's outline, boids, and what the options ask for.
 void make_scene(const View& view, const SceneColours& colours, const SceneOptions& options, DrawList& list);

@@ -17,13 +17,19 @@ float safe_length(const Vec<D>& v) {
   return std::isfinite(plain) ? plain : length(v * 0x1p-64f) * 0x1p64f;
 }
 
-/// At most `longest` long.
+/// What makes v at most `longest` long: 1 where it is.
 template <int D>
-Vec<D> capped(const Vec<D>& v, float longest) {
+float cap_factor(const Vec<D>& v, float longest) {
   const float size = safe_length(v);
   // Selected before the division: a branch would be guessed wrong for every other boid. v * 1 is v.
   const bool is_longer = size > longest;
-  return v * ((is_longer ? longest : 1.0f) / (is_longer ? size : 1.0f));
+  return (is_longer ? longest : 1.0f) / (is_longer ? size : 1.0f);
+}
+
+/// At most `longest` long.
+template <int D>
+Vec<D> capped(const Vec<D>& v, float longest) {
+  return v * cap_factor(v, longest);
 }
 
 /// Speed limits; a boid at rest stays at rest.
@@ -45,7 +51,8 @@ class Arbiter {
  public:
   Arbiter(Arbitration arbitration, float max_acceleration)
       : arbitration_(arbitration), max_(max_acceleration), left_(max_acceleration) {}
-  void add(const Vec<D>& weighted);
+  /// Returns what of the term is granted.
+  Vec<D> add(const Vec<D>& weighted);
   /// No further term can change the result.
   bool is_done() const { return done_; }
   /// The sum of what was granted, capped.
@@ -60,7 +67,8 @@ class Arbiter {
 };
 
 template <int D>
-void Arbiter<D>::add(const Vec<D>& weighted) {
+Vec<D> Arbiter<D>::add(const Vec<D>& weighted) {
+  Vec<D> granted = weighted;
   switch (arbitration_) {
     case Arbitration::weighted:
       sum_ += weighted;
@@ -72,11 +80,13 @@ void Arbiter<D>::add(const Vec<D>& weighted) {
     case Arbitration::budget: {
       const float size = safe_length(weighted);
       done_ = size >= left_;
-      sum_ += size > left_ ? weighted * (left_ / size) : weighted;
+      if (size > left_) granted = weighted * (left_ / size);
+      sum_ += granted;
       left_ -= size;
       break;
     }
   }
+  return granted;
 }
 
 }  // namespace sturnus

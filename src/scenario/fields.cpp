@@ -138,7 +138,10 @@ void visit_flee(Flee& term, FieldVisitor& visitor) {
                 {"", "names of the flocks that are fled", 0, 0, false, "", "CS 184 (S4-17)"});
   visitor.field("radius", &term.radius,
                 {"length", "how far they are seen", 0, infinity, false, "", "CS 184 (S4-17)"});
-  visitor.field("weight", &term.weight, weight_about);
+  visitor.field("weight", &term.weight,
+                {weight_about.unit, weight_about.text, weight_about.low, weight_about.high, false,
+                 "m - v/|v|, unit(m)·max_speed - v and so on, by form; m the mean of -(o/d), linear: of -o",
+                 "CS 184 (S4-17)"});
   visitor.field(
       "form", form_choice(term.form),
       {"",
@@ -388,7 +391,10 @@ void visit_index(Index& index, FieldVisitor& visitor) {
 }
 
 void visit_pointer(Pointer& pointer, FieldVisitor& visitor) {
-  visitor.field("weight", &pointer.weight, weight_about);
+  visitor.field("weight", &pointer.weight,
+                {weight_about.unit, weight_about.text, weight_about.low, weight_about.high, false,
+                 "unit(o) - v/|v|, unit(o)·max_speed - v and so on, by form; o the offset to it",
+                 "CS 184 (S4-12), quadtree project (S3-9)"});
   visitor.field("radius", &pointer.radius,
                 {"length", "who is farther from the pointer feels nothing", 0, infinity, true, "",
                  "quadtree project (S3-9)"});

@@ -38,6 +38,51 @@ enum class TermKind {
   avoid_obstacles
 };
 
+/// What a scenario file calls such terms.
+constexpr const char* name_of(TermKind kind) {
+  switch (kind) {
+    case TermKind::separation:
+      return "separation";
+    case TermKind::alignment:
+      return "alignment";
+    case TermKind::cohesion:
+      return "cohesion";
+    case TermKind::flee:
+      return "flee";
+    case TermKind::cruise:
+      return "cruise";
+    case TermKind::wander:
+      return "wander";
+    case TermKind::noise:
+      return "noise";
+    case TermKind::targets:
+      return "targets";
+    case TermKind::pointer:
+      return "pointer";
+    case TermKind::custom:
+      return "custom";
+  }
+  return "";
+}
+/// Whether the row of such terms is one of the flock's sums over neighbours.
+constexpr bool sums_neighbours(TermKind kind) {
+  switch (kind) {
+    case TermKind::separation:
+    case TermKind::alignment:
+    case TermKind::cohesion:
+    case TermKind::flee:
+      return true;
+    case TermKind::cruise:
+    case TermKind::wander:
+    case TermKind::noise:
+    case TermKind::targets:
+    case TermKind::pointer:
+    case TermKind::custom:
+      return false;
+  }
+  return false;
+}
+
 /// One steering term of a flock.
 struct TermModel {
   TermKind kind = TermKind::separation;

@@ -138,12 +138,6 @@ std::array<float, 3> vec_of(const Coordinates& at) {
 
 // ---- the tables ----
 
-const char* name_of(TermKind kind) {
-  if (kind == TermKind::separation) return "SEPARATION";
-  if (kind == TermKind::alignment) return "ALIGNMENT";
-  return kind == TermKind::cohesion ? "COHESION" : "FLEE";
-}
-
 const char* name_of(SteeringForm form) {
   if (form == SteeringForm::heading) return "FACE";
   return form == SteeringForm::seek ? "SEEK" : "LINEAR";
@@ -161,8 +155,8 @@ const char* added_by(const NeighbourRow& row) {
   return names[static_cast<int>(row.strength)];
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 32) : c;
+std::string upper(std::string text) {
+  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c & ~32) : c;
   return text;
 }
 
@@ -172,10 +166,10 @@ Row term_row(const FlockModel& flock, const std::string& flock_name, std::size_t
   const float outer = row.whole_population ? FlockModel::infinity_f : row.outer_squared;
   const float inner = row.whole_population ? 0.0f : row.inner_squared;
   const std::string view = row.sees_all ? "ALL_ROUND" : glsl(row.cos_half_view);
-  return {call("Term", number, name_of(term.kind), static_cast<std::size_t>(row.flocks), inner, outer,
-               view.c_str(), added_by(row), term.combine == Combine::mean, term.count_self ? 1.0f : 0.0f,
-               term.relative, name_of(term.form), term.weight),
-          say(flock_name, ": ", lower(name_of(term.kind)))};
+  return {call("Term", number, upper(name_of(term.kind)).c_str(), static_cast<std::size_t>(row.flocks), inner,
+               outer, view.c_str(), added_by(row), term.combine == Combine::mean,
+               term.count_self ? 1.0f : 0.0f, term.relative, name_of(term.form), term.weight),
+          say(flock_name, ": ", name_of(term.kind))};
 }
 
 bool looks_at_neighbours(const TermModel& term) {

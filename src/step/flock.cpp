@@ -1,4 +1,5 @@
 // From places to places, block by block: neighbours, steering, motion.
+#include <algorithm>
 #include <utility>
 
 #include "scenario/targets.h"
@@ -145,7 +146,7 @@ void take_over(const Model& model, State& state, Scratch& scratch) {
   }
 }
 
-void prepare(const Model& model, const State& state, Scratch& scratch, const Workers& workers) {
+void make_room(const Model& model, const State& state, Scratch& scratch, const Workers& workers) {
   fit(scratch.previous_position, model.dimensions, state.size());
   fit(scratch.previous_velocity, model.dimensions, state.size());
   if (model.uses_colour) fit(scratch.next_colour, 3, state.size());
@@ -153,9 +154,9 @@ void prepare(const Model& model, const State& state, Scratch& scratch, const Wor
   for (PartScratch& part : scratch.parts) part.fallen.clear();
 }
 
+// Everything that sums over neighbours need.
 template <int D>
-void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* watch, const Workers& workers) {
-  prepare(model, state, scratch, workers);
+Asked ask(const Model& model, const State& state, Scratch& scratch, const Workers& workers) {
   place_targets(model, state.step, scratch.targets);
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
   const Boids boids = boids_of(model, state, scratch);
@@ -166,15 +167,38 @@ void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* wat
                                    state.step,      &scratch.passes};
   find_batches(state, scratch);
   sum_cells<D>(boids, scratch, workers);
-  weigh_blocks<D>(model, boids, scratch, workers);
-  if (boids.hidden != nullptr) keep_the_hidden<D>(model, state, scratch);
+  return {boids, question};
+}
+
+template <int D>
+void flock_in(const Model& model, State& state, Scratch& scratch, StepWatch* watch, const Workers& workers) {
+  make_room(model, state, scratch, workers);
+  const Asked asked = ask<D>(model, state, scratch, workers);
+  weigh_blocks<D>(model, asked.boids, scratch, workers);
+  if (asked.boids.hidden != nullptr) keep_the_hidden<D>(model, state, scratch);
   workers.for_weighted(scratch.weights, [&](std::size_t begin, std::size_t end, int part) {
-    flock_part<D>(model, state, scratch, boids, question, begin, end, watch, part);
+    flock_part<D>(model, state, scratch, asked.boids, asked.question, begin, end, watch, part);
   });
   take_over(model, state, scratch);
 }
 
 }  // namespace
+
+template <int D>
+Asked sum_around(const Model& model, const State& state, Scratch& scratch, std::size_t slot,
+                 const Workers& workers) {
+  const Asked asked = ask<D>(model, state, scratch, workers);
+  const auto batch = std::find_if(scratch.batches.begin(), scratch.batches.end(),
+                                  [&](const Span& span) { return span.begin <= slot && slot < span.end; });
+  scratch.parts.resize(1);
+  PartScratch& part = scratch.parts.front();
+  part.sums.fit(model.most_rows, batch->begin, batch->end);
+  neighbour_sums<D>(asked.boids, {&*batch, 1}, asked.boids, asked.question, part.kernel, part.sums);
+  return asked;
+}
+
+template Asked sum_around<2>(const Model&, const State&, Scratch&, std::size_t, const Workers&);
+template Asked sum_around<3>(const Model&, const State&, Scratch&, std::size_t, const Workers&);
 
 void flock(const Model& model, State& state, Scratch& scratch, StepWatch* watch, const Workers& workers) {
   model.dimensions == 3 ? flock_in<3>(model, state, scratch, watch, workers)

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "scenario/events.h"
 #include "scenario/obstacles.h"
+#include "step/explain.h"
 #include "step/step.h"
 #include "world/commands.h"
 #include "world/spawn.h"
@@ -362,6 +363,14 @@ std::vector<std::array<std::array<float, 3>, 2>> Simulation::index_boxes() const
   index->boxes(boxes);
   for (const IndexBox& box : boxes) out.push_back({box.min, box.max});
   return out;
+}
+
+Result<Explanation> Simulation::explain(std::uint64_t id) const {
+  const FloatSettings settings;
+  std::vector<std::string> rules;
+  for (const auto& rule : world_->rules) rules.push_back(rule.first);
+  const Explained explained{world_->model, world_->scenario, world_->outside, rules};
+  return sturnus::explain(explained, world_->state, id, world_->workers);
 }
 
 void Simulation::poison_scratch() {

@@ -25,12 +25,19 @@ class Steering {
   }
 
   Vec<D> acceleration(std::size_t i) {
+    return acceleration(i, [](const TermModel&, const Vec<D>&, const Vec<D>&) {});
+  }
+
+  /// The same; `told` hears of every term, in its order, what it asked for and what of its weighted vector
+  /// was granted.
+  template <class Told>
+  Vec<D> acceleration(std::size_t i, Told&& told) {
     const FlockModel& flock = model_.flocks[state_.flock[i]];
     const Self<D> own = self(i);
     Arbiter<D> arbiter(flock.arbitration, flock.max_acceleration);
     for (const TermModel& term : flock.terms) {
       const Vec<D> felt = feel(term, flock, own, i);
-      if (!arbiter.is_done()) arbiter.add(felt * term.weight);
+      told(term, felt, arbiter.is_done() ? Vec<D>{} : arbiter.add(felt * term.weight));
     }
     return arbiter.result() + boundary_turn(model_, own.position);
   }

@@ -89,14 +89,19 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
   reorder(state, scratch.order, scratch.spare, workers);
 }
 
+void prepare(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
+             const Outside& outside, const Workers& workers) {
+  quarantine(model, state, workers);
+  sort_by_place(model, state, scratch, workers);
+  scratch.obstacles.fit(model, state.obstacles, model.obstacle_reach);
+  ask_outside(scenario, state, scratch, outside, workers);
+}
+
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
           const Outside& outside, const Workers& workers) {
   {
     const Watched watched(outside.watch, Phase::sort, 0);
-    quarantine(model, state, workers);
-    sort_by_place(model, state, scratch, workers);
-    scratch.obstacles.fit(model, state.obstacles, model.obstacle_reach);
-    ask_outside(scenario, state, scratch, outside, workers);
+    prepare(model, scenario, state, scratch, outside, workers);
   }
   flock(model, state, scratch, outside.watch, workers);
   ++state.step;

@@ -20,6 +20,21 @@ Wrapping image_of(const Model& model);
 /// Sorts the state by place.
 void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers);
 
+/// What comes before anybody moves: bad numbers, the order of storage, what rules from outside ask for.
+void prepare(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
+             const Outside& outside, const Workers& workers);
+
+/// The boids as the kernels see them, and what is asked about them.
+struct Asked {
+  Boids boids;
+  NeighbourQuestion question;
+};
+/// After `prepare`: the sums over neighbours of one boid and those who stand in its batch, to the bits that
+/// `flock` steers by, in the first part's `sums`. They are good until state or scratch change.
+template <int D>
+Asked sum_around(const Model& model, const State& state, Scratch& scratch, std::size_t slot,
+                 const Workers& workers);
+
 /// Sums over neighbours, accelerations, velocities, places, and the next colours: boids are taken block by
 /// block, so that what was summed is still near when it is used.
 void flock(const Model& model, State& state, Scratch& scratch, StepWatch* watch, const Workers& workers);

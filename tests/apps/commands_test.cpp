@@ -10,7 +10,8 @@ namespace {
 
 class Commands : public ProgramTest {};
 
-const Words all_commands = {"run", "render", "list", "show", "keys", "new", "check", "bench"};
+const Words all_commands = {"run", "render", "list",  "show",    "keys",
+                            "new", "check",  "bench", "explain", "compare"};
 
 TEST_F(Commands, WithoutWordsThereAreThreeThingsToTry) {
   const Ended ended = run_well({});
@@ -30,7 +31,8 @@ TEST_F(Commands, VersionIsOneLine) {
 TEST_F(Commands, HelpNamesEveryCommandAndTheExitCodes) {
   const Ended ended = run_well({"--help"});
   for (const std::string& command : all_commands) EXPECT_SAYS(ended.out, "\n  " + command + " ");
-  EXPECT_SAYS(ended.out, "0 done, 1 failed while running, 2 bad usage or input, 130 interrupted");
+  EXPECT_SAYS(ended.out,
+              "0 done, 1 failed while running, 2 bad usage or input, 3 compared files differ, 130");
 }
 
 TEST_F(Commands, HelpOfEveryCommandHasExamples) {
@@ -52,9 +54,10 @@ TEST_F(Commands, HelpShowsEveryOption) {
     EXPECT_SAYS(run_help, option);
   }
   const std::string render_help = run_well({"render", "--help"}).out;
-  for (const char* option : {"-o,", "--steps", "--fps", "--size WxH", "--every", "--trails",
-                             "--show index|velocities", "--sheet", "--theme dark|light", "--no-caption",
-                             "--count", "--seed", "--set", "--threads", "--index", "--initial"}) {
+  for (const char* option :
+       {"-o,", "--steps", "--fps", "--size WxH", "--every", "--trails", "--show index|velocities|vectors",
+        "--boid", "--zoom", "--sheet", "--theme dark|light", "--no-caption", "--count", "--seed", "--set",
+        "--threads", "--index", "--initial"}) {
     EXPECT_SAYS(render_help, option);
   }
 }

@@ -50,6 +50,7 @@ TEST_F(Render, EveryOptionChangesThePicture) {
   const std::vector<Words> changes = {{"--trails"},
                                       {"--show", "index"},
                                       {"--show", "velocities"},
+                                      {"--show", "vectors"},
                                       {"--theme", "light"},
                                       {"--no-caption"},
                                       {"--seed", "5"},
@@ -59,6 +60,21 @@ TEST_F(Render, EveryOptionChangesThePicture) {
   for (const Words& change : changes) EXPECT_NE(pixels(change), plain) << change.front();
   EXPECT_NE(pixels({"--show", "index", "--show", "velocities"}), pixels({"--show", "index"}));
   EXPECT_EQ(pixels({"--theme", "dark"}), plain);
+}
+
+TEST_F(Render, VectorsAreOfTheBoidThatWasAskedFor) {
+  const std::string middle = pixels({"--show", "vectors"});
+  EXPECT_NE(pixels({"--show", "vectors", "--boid", "7"}), pixels({"--show", "vectors", "--boid", "8"}));
+  EXPECT_NE(pixels({"--show", "vectors", "--zoom"}), middle);
+  EXPECT_NE(pixels({"--show", "vectors", "--theme", "light"}), middle);
+  EXPECT_NE(pixels({"--show", "vectors", "--no-caption"}), middle);
+  const std::string hash = hash_in(run_well({"run", "vuw-core", "--steps", "9"}).out);
+  for (const Words& more : {Words{}, Words{"--zoom"}, Words{"--theme", "light"}}) {
+    Words words = {"render", "vuw-core", "-o",      "v.ppm",  "--steps",
+                   "9",      "--size",   "320x180", "--show", "vectors"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(hash_in(run_well(words).out), hash);
+  }
 }
 
 TEST_F(Render, ThreadsChangeNoPixel) {
@@ -156,7 +172,10 @@ TEST_F(Render, BadOptionsGetOneSentence) {
       {{"-o", "a.png", "--sheet", "4x3", "--steps", "5"},
        "--sheet: 12 moments need at least 11 steps, but there are 5"},
       {{"-o", "a.png", "--show", "indx"},
-       "--show: must be one of index, velocities, but is \"indx\"; did you mean index?"},
+       "--show: must be one of index, velocities, vectors, but is \"indx\"; did you mean index?"},
+      {{"-o", "a.png", "--boid", "3"}, "--boid: goes with --show vectors"},
+      {{"-o", "a.png", "--zoom", "--show", "index"}, "--zoom: goes with --show vectors"},
+      {{"-o", "a.png", "--show", "vectors", "--boid", "1000"}, "--boid: there is no boid with id 1000"},
       {{"-o", "a.png", "--theme", "drak"},
        "--theme: must be one of dark, light, but is \"drak\"; did you mean dark?"},
   };
