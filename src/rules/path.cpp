@@ -25,9 +25,10 @@ Vec<3> left_at_corner(const Polyline& wall, std::size_t corner) {
 // 1 on the left of the wall and on it, -1 on the right. Beyond a sharp corner one piece alone can't tell.
 float side_of(const Polyline& wall, const OnPolyline& nearest, const Vec<3>& place) {
   const std::size_t next = (nearest.piece + 1) % wall.corners.size();
+  const float size = length(Vec<3>{wall.corners[next]} - Vec<3>{wall.corners[nearest.piece]});
   Vec<3> left = level_left(nearest.along);
-  if (nearest.at == wall.corners[next]) left = left_at_corner(wall, next);
-  if (nearest.at == wall.corners[nearest.piece]) left = left_at_corner(wall, nearest.piece);
+  if (nearest.into_piece >= size) left = left_at_corner(wall, next);
+  if (!(nearest.into_piece > 0)) left = left_at_corner(wall, nearest.piece);
   return dot(place - Vec<3>{nearest.at}, left) < 0 ? -1.0f : 1.0f;
 }
 

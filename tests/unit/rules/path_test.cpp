@@ -126,14 +126,16 @@ TEST(WallFollowing, GoesRoundAConvexWallOnTheOutsideAtItsDistance) {
   for (const int steps : pieces) EXPECT_GT(steps, 500);
 }
 
+// Beyond the tip the side is that of both pieces together, whichever of them is found to be nearest.
 TEST(WallFollowing, TellsTheSidesOfASharpCorner) {
   const std::vector<Vector> wedge = {{-10, 1, 0}, {0, 0, 0}, {-10, -1, 0}};
-  // Beyond the tip and below the first piece's line, but still on the same side of the wall as (1, 5).
-  const Vector felt = follow_wall({wedge}, 2, 0.1f, 0, 0, {5, -0.2f, 0}, {0, 0, 0}, 1);
-  const OnPolyline tip = nearest_on({wedge}, {5, -0.2f, 0});
-  expect_close(tip.at, {0, 0, 0});
-  EXPECT_LT(felt[0], 0);
-  EXPECT_GT(felt[1], 0);  // the first piece's outer side is up
+  const std::vector<Vector> backwards = {wedge.rbegin(), wedge.rend()};
+  for (const float y : {-0.3f, -0.1f, 0.1f, 0.3f}) {
+    EXPECT_LT(follow_wall({wedge}, 2, 0.1f, 0, 0, {5, y, 0}, {}, 1)[0], 0);
+    // Its line runs under the wedge on the way back: the outer side is down.
+    EXPECT_LT(follow_wall({wedge}, 2, 0.1f, 3, 0, {0.1f, y, 0}, {}, 1)[1], 0) << y;
+    EXPECT_GT(follow_wall({backwards}, 2, 0.1f, 3, 0, {0.1f, y, 0}, {}, 1)[1], 0) << y;
+  }
 }
 
 RC_GTEST_PROP(PathAndWallFollowing, TurnAndMirrorWithTheWorld, ()) {

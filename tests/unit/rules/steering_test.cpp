@@ -112,6 +112,11 @@ TEST(Hiding, GoesToTheNearestFarSide) {
   // The threat is at (0, 20): behind the second ball, 1 + 1 below its centre at (0, 5), is (0, 3).
   expect_close(hide(balls, {0, 20, 0}, 1, {0, 0, 0}, 2, 6), {0, 1, 0});
   expect_close(hide(balls, {0, 20, 0}, 4, {1, 0, 0}, 2, 6), {-1, 0, 0});  // there already
+  // With the first ball's far side nearer than the second's.
+  const std::vector<Ball> other = {{{4, 0, 0}, 1}, {{0, -9, 0}, 1}};
+  expect_close(hide(other, {20, 0, 0}, 1, {0, 0, 0}, 2, 6), {2.0f / 3, 0, 0});
+  expect_close(hide(std::span(balls).subspan(1), {0, 5.5f, 0}, 1, {1, 0, 0}, 2, 6),
+               {});  // within, off centre
   expect_close(hide({}, {0, 20, 0}, 1, {1, 0, 0}, 2, 6), {0, 0, 0});
   expect_close(hide(std::span(balls).subspan(1), {0, 5, 0}, 1, {1, 0, 0}, 2, 6), {0, 0, 0});  // threat within
 }
@@ -145,6 +150,8 @@ TEST(Queuing, SeesWhoIsAheadInTheConeAndBrakes) {
   expect_close(brake({0, 0, 0}, {2, 4, 6}, 10), {-2, -4, -6});
   expect_close(brake({10, 0, 0}, {2, 0, 0}, 10), {0, 0, 0});
   expect_close(brake({10, 0, 0}, {2, 0, 0}, 0), {0, 0, 0});
+  expect_close(brake({0, 0, 0}, {2, 0, 0}, 0), {0, 0, 0});
+  expect_close(brake({20, 0, 0}, {2, 0, 0}, 10), {0, 0, 0});  // never pushes
 }
 
 }  // namespace
