@@ -66,8 +66,9 @@ struct CoordinatesRef {
 };
 
 /// A place where a parameter is kept.
-using FieldRef = std::variant<double*, std::int64_t*, bool*, std::string*, std::optional<double>*,
-                              CoordinatesRef, Range, RingRef, Whose*, std::vector<std::string>*, Choice>;
+using FieldRef =
+    std::variant<double*, std::int64_t*, bool*, std::string*, std::optional<double>*, CoordinatesRef, Range,
+                 RingRef, Whose*, std::vector<std::string>*, std::vector<Coordinates>*, Choice>;
 
 class FieldVisitor;
 

@@ -7,6 +7,8 @@
 // + - * / and the square root are used, so that the bits are the same everywhere.
 #pragma once
 
+#include <sturnus/behaviours.h>
+
 #include <array>
 #include <optional>
 #include <span>
@@ -33,10 +35,6 @@ Vector arrive(const Vector& offset, const Vector& velocity, float max_speed, flo
 /// caller's, its components in [-1, 1]; the smaller the `rate` the smoother the way. Where the walk meets the
 /// origin exactly the direction stays.
 Vector wander(const Vector& direction, const Vector& random, float rate);
-
-/// How far ahead a pursuer looks (VUW CGRA 354, S2-22): a fixed time; a time that grows with the distance;
-/// or the time in which full speed meets a quarry that keeps its velocity (constant bearing, S2-23).
-enum class Prediction { constant, distance, intercept };
 
 /// The time, not below 0, after which someone with `speed` (length per time) may meet a quarry at `offset`
 /// that keeps its velocity: the smallest root of |o + v T| = speed·T. 0 where they have met; none where the

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/vec.h"
+#include "rules/rules.h"
 
 namespace sturnus {
 namespace {
@@ -48,5 +48,19 @@ Vector vortex(const Vector& from_centre, float speed, float core) {
   if (distance <= core) return core > 0 ? (way * (speed / core)).at : Vector{};
   return (way * (speed * (core / distance) / distance)).at;
 }
+
+template <int D>
+Vec<D> flow_following(const FlowModel& model, const Wrapping& image, const Self<D>& self) {
+  const auto flow = [&](const Vector& place) -> Vector {
+    if (model.kind == FlowKind::uniform) return model.velocity;
+    const Vec<D> from_centre = offset(narrow_to<D>(model.centre), narrow_to<D>(place), image);
+    if (model.kind == FlowKind::shear) return {model.rate * from_centre[1], 0, 0};
+    return vortex(widened(from_centre), model.speed, model.core);
+  };
+  return narrow_to<D>(follow_flow(flow, model.time, widened(self.position), widened(self.velocity)));
+}
+
+template Vec<2> flow_following<2>(const FlowModel&, const Wrapping&, const Self<2>&);
+template Vec<3> flow_following<3>(const FlowModel&, const Wrapping&, const Self<3>&);
 
 }  // namespace sturnus

@@ -1,7 +1,7 @@
 // Path following and wall following (Reynolds 1999).
 #include <sturnus/steering.h>
 
-#include "base/vec.h"
+#include "rules/rules.h"
 
 namespace sturnus {
 namespace {
@@ -60,5 +60,53 @@ Vector follow_wall(const Polyline& wall, float distance, float radius, float ahe
   const Vec<3> place = Vec<3>{sought.at} + level_left(sought.along) * (side * distance);
   return seek((place - here).at, velocity, max_speed);
 }
+
+namespace {
+
+// The image of a place, of those in the space and beside it, from which the line is nearest.
+template <int D>
+Vector nearest_image(const Polyline& line, const Vector& place, const Wrapping& image) {
+  if (!image.wraps) return place;
+  Vector best = place;
+  float least = nearest_on(line, place).distance;
+  constexpr int images = D == 2 ? 9 : 27;
+  for (int number = 1; number < images; ++number) {
+    Vector shifted = place;
+    const std::array<int, 3> shifts = {number % 3, number / 3 % 3, number / 9};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
+      if (shifts[axis] == 1) shifted[axis] += image.size[axis];
+      if (shifts[axis] == 2) shifted[axis] -= image.size[axis];
+    }
+    const float distance = nearest_on(line, shifted).distance;
+    if (!(distance < least)) continue;
+    least = distance;
+    best = shifted;
+  }
+  return best;
+}
+
+}  // namespace
+
+template <int D>
+Vec<D> path_following(const LineModel& model, const Wrapping& image, const Self<D>& self, float max_speed) {
+  const Polyline path{model.corners, model.is_loop};
+  const Vector position = nearest_image<D>(path, widened(self.position), image);
+  return narrow_to<D>(
+      follow_path(path, model.radius, model.ahead, model.time, position, widened(self.velocity), max_speed));
+}
+
+template <int D>
+Vec<D> wall_following(const LineModel& model, const Wrapping& image, const Self<D>& self, float max_speed) {
+  const Polyline wall{model.corners, model.is_loop};
+  const Vector level = levelled(Vec<3>{widened(self.position)}).at;
+  const Vector position = nearest_image<2>(wall, level, image);
+  return narrow_to<D>(follow_wall(wall, model.distance, model.radius, model.ahead, model.time, position,
+                                  widened(self.velocity), max_speed));
+}
+
+template Vec<2> path_following<2>(const LineModel&, const Wrapping&, const Self<2>&, float);
+template Vec<3> path_following<3>(const LineModel&, const Wrapping&, const Self<3>&, float);
+template Vec<2> wall_following<2>(const LineModel&, const Wrapping&, const Self<2>&, float);
+template Vec<3> wall_following<3>(const LineModel&, const Wrapping&, const Self<3>&, float);
 
 }  // namespace sturnus

@@ -1,7 +1,7 @@
 // Pursuit, evasion and offset pursuit: steering by where somebody will be (Reynolds 1999, VUW CGRA 354).
 #include <sturnus/steering.h>
 
-#include "base/vec.h"
+#include "rules/rules.h"
 
 namespace sturnus {
 namespace {
@@ -73,5 +73,32 @@ Vector pursue_offset(const Vector& offset, const Vector& leader_velocity, const 
   const Vec<3> place = leader + Vec<3>{in_world(ahead_left_up, leader_velocity)};
   return arrive(place.at, velocity, max_speed, slowing_radius);
 }
+
+template <int D>
+Vec<D> pursuit(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed) {
+  const auto slot = nearest_of(others, model.flocks, model.radius_squared, self);
+  if (!slot) return {};
+  const Vector o = widened(others.offset_to(self, *slot));
+  const Vector quarry = widened(others.velocity(*slot));
+  const Vector own = widened(self.velocity);
+  const float time = prediction_time(model.prediction, model.amount, o, quarry, max_speed);
+  if (!model.has_offset) return narrow_to<D>(pursue(o, quarry, time, own, max_speed));
+  return narrow_to<D>(pursue_offset(o, quarry, model.offset, time, own, max_speed, model.slowing));
+}
+
+template <int D>
+Vec<D> evasion(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed) {
+  const auto slot = nearest_of(others, model.flocks, model.radius_squared, self);
+  if (!slot) return {};
+  const Vector o = widened(others.offset_to(self, *slot));
+  const Vector pursuer = widened(others.velocity(*slot));
+  const float time = prediction_time(model.prediction, model.amount, o, pursuer, max_speed);
+  return narrow_to<D>(evade(o, pursuer, time, widened(self.velocity), max_speed));
+}
+
+template Vec<2> pursuit<2>(const PursuitModel&, const Others<2>&, const Self<2>&, float);
+template Vec<3> pursuit<3>(const PursuitModel&, const Others<3>&, const Self<3>&, float);
+template Vec<2> evasion<2>(const PursuitModel&, const Others<2>&, const Self<2>&, float);
+template Vec<3> evasion<3>(const PursuitModel&, const Others<3>&, const Self<3>&, float);
 
 }  // namespace sturnus

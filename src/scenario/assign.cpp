@@ -175,6 +175,19 @@ struct Assigner {
 
   Error operator()(std::vector<std::string>* place) const { return names(*place); }
 
+  Error operator()(std::vector<Coordinates>* place) const {
+    constexpr const char* wanted = "must be a list of lists of numbers such as [[0, 0, 5], [9, 4, 2]], ";
+    const auto* list = std::get_if<Value::List>(&value.held);
+    if (list == nullptr) return say(wanted, found(value));
+    std::vector<Coordinates> given(list->size());
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      if (!std::holds_alternative<Value::List>((*list)[i].held)) return say(wanted, found(value));
+      if (auto error = Assigner{(*list)[i], about}.numbers(given[i])) return error;
+    }
+    *place = std::move(given);
+    return {};
+  }
+
   Error operator()(Whose* place) const {
     if (const auto* word = std::get_if<std::string>(&value.held)) {
       if (*word != "own" && *word != "all") {
@@ -226,6 +239,13 @@ struct Shower {
     return Value{std::string(place->kind == Whose::Kind::own ? "own" : "all")};
   }
   Shown operator()(const std::vector<std::string>* place) const { return list_of_names(*place); }
+  // An empty list is the same as none.
+  Shown operator()(const std::vector<Coordinates>* place) const {
+    if (place->empty()) return {};
+    Value::List list;
+    for (const Coordinates& numbers : *place) list.push_back(list_of_numbers(numbers));
+    return Value{list};
+  }
   Shown operator()(const Choice& place) const {
     return Value{std::string(place.names[static_cast<std::size_t>(place.get())])};
   }
@@ -244,6 +264,7 @@ struct Kinds {
   std::string operator()(const RingRef&) const { return "number or [inner, outer]"; }
   std::string operator()(const Whose*) const { return "\"own\" | \"all\" | list of names"; }
   std::string operator()(const std::vector<std::string>*) const { return "list of texts"; }
+  std::string operator()(const std::vector<Coordinates>*) const { return "list of lists of numbers"; }
   std::string operator()(const Choice& place) const {
     std::string out;
     for (const auto name : place.names) out += say(out.empty() ? "\"" : " | \"", name, "\"");

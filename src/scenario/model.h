@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "scenario/behaviour_model.h"
+
 namespace sturnus {
 
 /// What a neighbour contributes to a sum.
@@ -34,7 +36,15 @@ enum class TermKind {
   noise,
   targets,
   pointer,
-  custom
+  custom,
+  pursue,
+  evade,
+  follow_path,
+  follow_wall,
+  flow,
+  follow_leader,
+  avoid_collisions,
+  queue
 };
 
 /// One steering term of a flock.
@@ -55,7 +65,8 @@ struct TermModel {
 struct FlockModel {
   std::vector<NeighbourRow> rows;
   std::vector<TermModel> terms;  ///< in order of priority, then of the file
-  float reach_squared = 0;       ///< beyond it no row of this flock counts a neighbour
+  BehavioursModel behaviours;
+  float reach_squared = 0;  ///< beyond it no row of this flock counts a neighbour
   float min_speed = 0;
   float max_speed = infinity_f;
   float max_acceleration = infinity_f;
@@ -103,6 +114,8 @@ struct Model {
   std::vector<TargetModel> targets;
   std::vector<FlockModel> flocks;
   std::size_t most_rows = 0;  ///< of any flock
+  std::uint64_t watched = 0;  ///< a bit for every flock whose members are looked at by name
+  bool uses_lists = false;    ///< somebody asks the index for each neighbour
   bool uses_totals = false;
   bool uses_headings = false;
   bool uses_wander = false;
