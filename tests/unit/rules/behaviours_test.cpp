@@ -17,6 +17,7 @@ ScenarioDef two_flocks(int dimensions = 2) {
   ScenarioDef scenario = bare(dimensions);
   scenario.flocks[0].name = "birds";
   scenario.flocks[0].max_speed = 50;
+  scenario.flocks[0].count = 2;
   scenario.flocks.push_back(scenario.flocks[0]);
   scenario.flocks[1].name = "others";
   return scenario;
