@@ -5,6 +5,7 @@
 // The formulas behind the terms are in docs/model.md, the documents they come from in docs/sources.md.
 #pragma once
 
+#include <sturnus/behaviours.h>
 #include <sturnus/result.h>
 
 #include <cstdint>
@@ -224,6 +225,13 @@ struct FlockDef {
   std::optional<Noise> noise;
   TargetSense targets;
   std::optional<AvoidObstacles> avoid_obstacles;
+  std::optional<Pursuit> pursue, evade;
+  std::optional<FollowPath> follow_path;
+  std::optional<FollowWall> follow_wall;
+  std::optional<FollowFlow> flow;
+  std::optional<FollowLeader> follow_leader;
+  std::optional<AvoidCollisions> avoid_collisions;
+  std::optional<Queue> queue;
   Colour colour;
   std::optional<GlyphStyle> glyph;  ///< how a boid is drawn; not given: dart in 2D, cone in 3D
   double size = 5.0;                ///< length of a drawn boid

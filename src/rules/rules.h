@@ -8,6 +8,7 @@
 #include "neighbours/kernel.h"
 #include "rules/arbitration.h"
 #include "rules/neighbour_terms.h"
+#include "rules/others.h"
 #include "rules/self.h"
 #include "world/obstacle_index.h"
 
@@ -32,6 +33,35 @@ Vec<D> noise_acceleration(const TermModel& term, const Self<D>& self, const Mome
 /// The velocity turned by a uniform angle in [-eta/2, eta/2]; in 3D about a random perpendicular.
 template <int D>
 Vec<D> turned_at_random(const Vec<D>& velocity, float eta, std::uint64_t id, const Moment& moment);
+
+/// Seek where the nearest quarry will be, or arrive at a place beside it; flee it.
+template <int D>
+Vec<D> pursuit(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed);
+template <int D>
+Vec<D> evasion(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed);
+
+/// Along a path, and along a wall; in a space that wraps, by the image from which they are nearest.
+template <int D>
+Vec<D> path_following(const LineModel& model, const Wrapping& image, const Self<D>& self, float max_speed);
+template <int D>
+Vec<D> wall_following(const LineModel& model, const Wrapping& image, const Self<D>& self, float max_speed);
+
+/// The field's velocity where the boid will be, minus its own.
+template <int D>
+Vec<D> flow_following(const FlowModel& model, const Wrapping& image, const Self<D>& self);
+
+/// Behind the nearest leader and out of its way.
+template <int D>
+Vec<D> leader_following(const LeaderModel& model, const Others<D>& others, const Self<D>& self,
+                        float max_speed);
+
+/// A unit vector aside from whom it will first come too near to; of equals the one with the lowest id.
+template <int D>
+Vec<D> collision_avoidance(const AvoidanceModel& model, const Others<D>& others, const Self<D>& self);
+
+/// A brake for the nearest one ahead; of equals the one with the lowest id.
+template <int D>
+Vec<D> queuing(const QueueModel& model, const Others<D>& others, const Self<D>& self);
 
 /// What the pressed pointer makes a boid feel.
 template <int D>

@@ -19,4 +19,9 @@ Vector face(const Vector& direction, const Vector& velocity) {
   return (wanted - unit(Vec<3>{velocity})).at;
 }
 
+Vector wander(const Vector& direction, const Vector& random, float rate) {
+  const Vec<3> next = unit(Vec<3>{direction} + Vec<3>{random} * rate);
+  return next == Vec<3>{} ? direction : next.at;
+}
+
 }  // namespace sturnus

@@ -6,8 +6,8 @@ namespace sturnus {
 template <int D>
 Vec<D> wandered(const TermModel& term, const Self<D>& self, const Vec<D>& wander, const Moment& moment) {
   Draws draws(moment.seed, moment.step, self.id, Stream::wander);
-  const Vec<D> next = unit(wander + draws.in_cube<D>() * term.amount);
-  return next == Vec<D>{} ? wander : next;  // the walk met the origin exactly: it stays where it was
+  const Vector random = widened(draws.in_cube<D>());
+  return narrow_to<D>(sturnus::wander(widened(wander), random, term.amount));
 }
 
 template Vec<2> wandered<2>(const TermModel&, const Self<2>&, const Vec<2>&, const Moment&);

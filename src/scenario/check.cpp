@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/assign.h"
+#include "scenario/behaviours.h"
 #include "scenario/events.h"
 #include "scenario/obstacles.h"
 
@@ -28,6 +29,7 @@ class Checker {
     check_flocks();
     check_targets();
     check_obstacles();
+    check_behaviours(scenario_, problems_);
     check_camera();
     check_events();
     return std::move(problems_);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/root.h"
+#include "scenario/behaviours.h"
 #include "scenario/model.h"
 
 namespace sturnus {
@@ -32,6 +33,7 @@ class FlockCompiler {
     for (const Cohesion& term : def_.cohesion) cohesion(term);
     for (const Flee& term : def_.flee) flee(term);
     own_terms();
+    compile_behaviours(scenario_, own_, out_);
     colour();
     sort();
     for (const NeighbourRow& row : out_.rows) {
@@ -309,6 +311,7 @@ Model compile(const ScenarioDef& scenario) {
   }
   gather_uses(scenario, model);
   gather_obstacle_reach(model);
+  gather_behaviours(model);
   return model;
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "scenario/behaviour_model.h"
+
 namespace sturnus {
 
 /// What a neighbour contributes to a sum.
@@ -35,7 +37,15 @@ enum class TermKind {
   targets,
   pointer,
   custom,
-  avoid_obstacles
+  avoid_obstacles,
+  pursue,
+  evade,
+  follow_path,
+  follow_wall,
+  flow,
+  follow_leader,
+  avoid_collisions,
+  queue
 };
 
 /// What a scenario file calls such terms.
@@ -61,6 +71,24 @@ constexpr const char* name_of(TermKind kind) {
       return "pointer";
     case TermKind::custom:
       return "custom";
+    case TermKind::avoid_obstacles:
+      return "avoid_obstacles";
+    case TermKind::pursue:
+      return "pursue";
+    case TermKind::evade:
+      return "evade";
+    case TermKind::follow_path:
+      return "follow_path";
+    case TermKind::follow_wall:
+      return "follow_wall";
+    case TermKind::flow:
+      return "flow";
+    case TermKind::follow_leader:
+      return "follow_leader";
+    case TermKind::avoid_collisions:
+      return "avoid_collisions";
+    case TermKind::queue:
+      return "queue";
   }
   return "";
 }
@@ -78,6 +106,15 @@ constexpr bool sums_neighbours(TermKind kind) {
     case TermKind::targets:
     case TermKind::pointer:
     case TermKind::custom:
+    case TermKind::avoid_obstacles:
+    case TermKind::pursue:
+    case TermKind::evade:
+    case TermKind::follow_path:
+    case TermKind::follow_wall:
+    case TermKind::flow:
+    case TermKind::follow_leader:
+    case TermKind::avoid_collisions:
+    case TermKind::queue:
       return false;
   }
   return false;
@@ -104,7 +141,8 @@ struct TermModel {
 struct FlockModel {
   std::vector<NeighbourRow> rows;
   std::vector<TermModel> terms;  ///< in order of priority, then of the file
-  float reach_squared = 0;       ///< beyond it no row of this flock counts a neighbour
+  BehavioursModel behaviours;
+  float reach_squared = 0;  ///< beyond it no row of this flock counts a neighbour
   float min_speed = 0;
   float max_speed = infinity_f;
   float max_acceleration = infinity_f;
@@ -153,6 +191,8 @@ struct Model {
   std::vector<TargetModel> targets;
   std::vector<FlockModel> flocks;
   std::size_t most_rows = 0;  ///< of any flock
+  std::uint64_t watched = 0;  ///< a bit for every flock whose members are looked at by name
+  bool uses_lists = false;    ///< somebody asks the index for each neighbour
   bool uses_totals = false;
   bool uses_headings = false;
   bool uses_wander = false;

@@ -60,9 +60,24 @@ class Objections {
     if (flock.colour.noise > 0) object(key + "colour.noise", "a shader's colours don't drift; set it to 0");
     if (flock.colour.start == "random")
       object(key + "colour.start", "a shader's flock has one colour; name it");
+    check_behaviours(key, flock);
     check_samples(key + "separation", flock.separation);
     check_samples(key + "alignment", flock.alignment);
     check_samples(key + "cohesion", flock.cohesion);
+  }
+
+  void check_behaviours(const std::string& key, const FlockDef& flock) {
+    const auto refuse = [&](const auto& term, const char* name) {
+      if (term && term->on) object(key + name, "a shader does not know this behaviour");
+    };
+    refuse(flock.pursue, "pursue");
+    refuse(flock.evade, "evade");
+    refuse(flock.follow_path, "follow_path");
+    refuse(flock.follow_wall, "follow_wall");
+    refuse(flock.flow, "flow");
+    refuse(flock.follow_leader, "follow_leader");
+    refuse(flock.avoid_collisions, "avoid_collisions");
+    refuse(flock.queue, "queue");
   }
 
   template <class Term>

@@ -118,7 +118,7 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
                 int part) {
   PartScratch& own = scratch.parts[static_cast<std::size_t>(part)];
   Motion<D> motion{
-      model, state, scratch, own, {model, state, scratch, own.sums}, boids.flocks, boids.hidden != nullptr};
+      model, state, scratch, own, {model, state, scratch, own}, boids.flocks, boids.hidden != nullptr};
   for (std::size_t block = first; block < last; ++block) {
     const auto batches = block_at(scratch, block);
     const std::size_t begin = batches.front().begin;

@@ -32,6 +32,7 @@ void poison(Scratch& scratch) {
   spoil(scratch.targets);
   spoil(scratch.totals);
   spoil(scratch.total_parts);
+  spoil(scratch.watched);
   spoil(scratch.batches);
   spoil(scratch.weights);
   for (PartScratch& part : scratch.parts) {

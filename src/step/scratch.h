@@ -28,6 +28,7 @@ struct Scratch {
   std::vector<std::array<float, 3>> targets;  ///< where they are in this step
   std::vector<Totals> totals, total_parts;
   Passes passes;
+  std::vector<std::uint32_t> watched;  ///< slots of those in play whose flocks are looked at, by id
   std::vector<Span> batches;           ///< of boids that are steered at once
   std::vector<std::uint64_t> weights;  ///< of blocks of batches, added up
   std::vector<PartScratch> parts;

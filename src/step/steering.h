@@ -12,13 +12,16 @@ namespace sturnus {
 template <int D>
 class Steering {
  public:
-  Steering(const Model& model, State& state, const Scratch& scratch, const SumBlock& sums)
+  Steering(const Model& model, State& state, const Scratch& scratch, PartScratch& part)
       : model_(model),
         state_(state),
         scratch_(scratch),
-        sums_(sums),
+        sums_(part.sums),
         image_(image_of(model)),
-        moment_{model.seed, state.step} {}
+        moment_{model.seed, state.step},
+        others_{state, scratch.watched, {}, image_, part.kernel.spans} {
+    if (model.uses_lists) others_.near = {scratch.index.get(), cloud_of(model, state), image_, state.id};
+  }
 
   Self<D> self(std::size_t i) const {
     return {state_.id[i], at<D>(state_.position, i), at<D>(state_.velocity, i)};
@@ -64,6 +67,22 @@ class Steering {
         return targets_pull<D>(model_, scratch_.targets, state_.flock[i], own, image_);
       case TermKind::pointer:
         return pointer_pull<D>(model_.pointer, state_.pointer, own, image_, flock.max_speed);
+      case TermKind::pursue:
+        return pursuit(flock.behaviours.pursue, others_, own, flock.max_speed);
+      case TermKind::evade:
+        return evasion(flock.behaviours.evade, others_, own, flock.max_speed);
+      case TermKind::follow_path:
+        return path_following(flock.behaviours.path, image_, own, flock.max_speed);
+      case TermKind::follow_wall:
+        return wall_following(flock.behaviours.wall, image_, own, flock.max_speed);
+      case TermKind::flow:
+        return flow_following(flock.behaviours.flow, image_, own);
+      case TermKind::follow_leader:
+        return leader_following(flock.behaviours.leader, others_, own, flock.max_speed);
+      case TermKind::avoid_collisions:
+        return collision_avoidance(flock.behaviours.avoidance, others_, own);
+      case TermKind::queue:
+        return queuing(flock.behaviours.queue, others_, own);
       case TermKind::custom:
         return scratch_.custom[row][0].empty() ? Vec<D>{} : at<D>(scratch_.custom[row], i);
       case TermKind::avoid_obstacles:
@@ -86,6 +105,7 @@ class Steering {
   const SumBlock& sums_;
   Wrapping image_;
   Moment moment_;
+  Others<D> others_;
 };
 
 }  // namespace sturnus

@@ -1,6 +1,8 @@
 // One step of a flock, in the order in which the papers tell it.
 #include "step/step.h"
 
+#include <algorithm>
+
 #include "step/watched.h"
 #include "world/columns.h"
 #include "world/state.h"
@@ -25,6 +27,17 @@ void ask_outside(const ScenarioDef& scenario, const State& state, Scratch& scrat
     Accelerations accelerations(asked, state.size());
     outside.rules[rule](view, accelerations);
   }
+}
+
+// Who is looked at by name, by everybody who does.
+void find_watched(const Model& model, const State& state, Scratch& scratch) {
+  scratch.watched.clear();
+  for (std::size_t i = 0; model.watched != 0 && i < state.size(); ++i) {
+    if ((model.watched >> state.flock[i] & 1u) != 0 && state.quarantined[i] == 0)
+      scratch.watched.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::sort(scratch.watched.begin(), scratch.watched.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return state.id[a] < state.id[b]; });
 }
 
 bool is_the_same(const Index& one, const Index& other) {
@@ -93,6 +106,7 @@ void prepare(const Model& model, const ScenarioDef& scenario, State& state, Scra
              const Outside& outside, const Workers& workers) {
   quarantine(model, state, workers);
   sort_by_place(model, state, scratch, workers);
+  find_watched(model, state, scratch);
   scratch.obstacles.fit(model, state.obstacles, model.obstacle_reach);
   ask_outside(scenario, state, scratch, outside, workers);
 }

@@ -64,7 +64,7 @@ TEST_F(Commands, HelpShowsEveryOption) {
 
 TEST_F(Commands, ListHasALineForEveryScenario) {
   const Ended ended = run_well({"list"});
-  for (const char* group : {"courses\n", "gallery\n", "bench\n"}) EXPECT_SAYS(ended.out, group);
+  for (const char* group : {"courses\n", "gallery\n", "steering\n", "bench\n"}) EXPECT_SAYS(ended.out, group);
   const std::vector<std::string> names = shipped_names(ended.out);
   for (const char* name : {"ucsd", "prog06", "vuw-core", "quadtree", "cs184", "parker", "adams", "two-flocks",
                            "murmuration", "bench-2d", "bench-3d"}) {
