@@ -51,15 +51,17 @@ Vec<D> sweep(const TermModel& term, const FlockModel& flock, const Model& model,
   return rounded(force);
 }
 
-// How far the surface of an obstacle is, and the unit vector away from it. Inside a box the way out is that
-// through the nearest face.
+// How far the surface of an obstacle is, and the unit vector away from it: of a sphere from its centre, which
+// has no direction. Inside a box the way out is that through the nearest face.
 template <int D>
 Surface<D> away_from(const Obstacle& obstacle, const Place<D>& o) {
-  if (obstacle.kind != ObstacleKind::box) return surface(obstacle, o, 0);
-  const Place<D> to_box = way_to_box(obstacle, o);
-  const double distance = length(to_box);
-  if (!(distance > 0)) return surface(obstacle, o, 0);
-  return {distance, unit(to_box) * -1.0};
+  Surface<D> found = surface(obstacle, o, 0);
+  if (obstacle.kind == ObstacleKind::sphere) found.out = unit(o) * -1.0;
+  if (obstacle.kind == ObstacleKind::box && found.distance > 0) {
+    const Place<D> to_box = way_to_box(obstacle, o);
+    found = {length(to_box), unit(to_box) * -1.0};
+  }
+  return found;
 }
 
 template <int D>

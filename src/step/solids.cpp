@@ -22,13 +22,12 @@ class Solids {
   void keep_out(const Vec<D>& old, Vec<D>& position, Vec<D>& velocity) const {
     const Place<D> from = place_of(old);
     const Place<D> motion = way(model_, from, place_of(position));
-    const double reach = body_ + length(motion);
-    bool is_near = false;
-    obstacles_.visit(old, reach, [&](const Obstacle&) { is_near = true; });
-    if (!is_near) return;
-    if (deepest(old).distance < 0) return bring_out(old, position, velocity);
+    const double far = length(motion);
+    const double room = room_at(old, far);
+    if (room > far * (1 + 1e-9)) return;  // nothing is as near as the new place
+    if (room < 0) return bring_out(old, position, velocity);
     Met met{1, {}, 0};
-    obstacles_.visit(old, reach, [&](const Obstacle& obstacle) { hit(obstacle, from, motion, met); });
+    obstacles_.visit(old, body_ + far, [&](const Obstacle& obstacle) { hit(obstacle, from, motion, met); });
     if (met.size > 0) {
       drop_inward(velocity, met.out);
       position = settled(from + motion * met.t + met.out * (gap * met.size));
@@ -56,16 +55,26 @@ class Solids {
     return size + body_;
   }
 
-  // The nearest surface seen from where the boid is most deeply inside; a positive distance where it is in
-  // none.
-  Surface<D> deepest(const Vec<D>& at, double* size = nullptr) const {
+  // The distance to the nearest surface, negative inside; any that is farther than `far` may be left out.
+  double room_at(const Vec<D>& at, double far) const {
+    double room = double{FlockModel::infinity_f};
+    const Place<D> from = place_of(at);
+    obstacles_.visit(at, body_ + far, [&](const Obstacle& obstacle) {
+      const auto one = surface(obstacle, way(model_, from, place_of<D>(obstacle.at)), body_);
+      if (one.distance < room) room = one.distance;
+    });
+    return room;
+  }
+
+  // The surface of the obstacle that the boid is in most deeply; a positive distance where it is in none.
+  Surface<D> deepest(const Vec<D>& at, double& size) const {
     Surface<D> found{1, {}};
     const Place<D> from = place_of(at);
     obstacles_.visit(at, body_, [&](const Obstacle& obstacle) {
       const auto one = surface(obstacle, way(model_, from, place_of<D>(obstacle.at)), body_);
       if (!(one.distance < 0 && one.distance < found.distance)) return;
       found = one;
-      if (size != nullptr) *size = size_of(obstacle);
+      size = size_of(obstacle);
     });
     return found;
   }
@@ -76,7 +85,7 @@ class Solids {
       const auto i = static_cast<std::size_t>(axis);
       if (!(at[axis] >= model_.min[i] && at[axis] <= model_.max[i])) return false;
     }
-    return !(deepest(at).distance < 0);
+    return !(room_at(at, 0) < 0);
   }
 
   // The place as the state keeps it.
@@ -124,7 +133,7 @@ class Solids {
     Vec<D> at = old;
     for (int climb = 0; climb < most_climbs; ++climb) {
       double size = 0;
-      const Surface<D> nearest = deepest(at, &size);
+      const Surface<D> nearest = deepest(at, size);
       if (!(nearest.distance < 0)) break;
       at = settled(place_of(at) + nearest.out * (gap * size - nearest.distance));
       drop_inward(velocity, nearest.out);

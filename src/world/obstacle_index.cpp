@@ -10,7 +10,7 @@ namespace {
 
 // As many rows of cells as memory and building are glad to have.
 double most_rows(int dimensions) {
-  return dimensions == 3 ? 40 : 256;
+  return dimensions == 3 ? 64 : 512;
 }
 
 // An obstacle in more cells than this is asked everywhere.

@@ -11,7 +11,7 @@ namespace sturnus::test {
 namespace {
 
 /// How deep a boid is inside an obstacle, as a share of its size, and inside the edge of a world that nobody
-/// leaves: from the scenario's numbers, in double, trying all images.
+/// leaves: from the scenario's numbers, in double, by the shortest way on every axis.
 class Referee {
  public:
   explicit Referee(const ScenarioDef& scenario)
@@ -21,18 +21,20 @@ class Referee {
         body_(scenario.flocks.front().body_radius) {}
 
   double depth(const Point& at, const Obstacle& obstacle) const {
-    double deepest = 0;
-    const int images = wraps_ ? 1 : 0;
-    const bool in_space = extent_.min.size() == 3;
-    for (int x = -images; x <= images; ++x) {
-      for (int y = -images; y <= images; ++y) {
-        for (int z = in_space ? -images : 0; z <= (in_space ? images : 0); ++z) {
-          const int shift[] = {x, y, z};
-          deepest = std::max(deepest, image_depth(at, obstacle, shift));
-        }
-      }
+    double squared = 0, beyond = 0, past = -infinity, least = infinity;
+    for (std::size_t axis = 0; axis < extent_.min.size(); ++axis) {
+      const double size = static_cast<float>(extent_.max[axis]) - static_cast<float>(extent_.min[axis]);
+      const double o = double{at[axis]} - double{obstacle.at[axis]};
+      const double way = wraps_ ? std::min(std::abs(o), size - std::abs(o)) : std::abs(o);
+      squared += way * way;
+      beyond += o * double{obstacle.normal[axis]};
+      past = std::max(past, way - double{obstacle.half[axis]} - body_);
+      least = std::min(least, double{obstacle.half[axis]} + body_);
     }
-    return deepest;
+    if (obstacle.kind == ObstacleKind::plane) return (body_ - beyond) / (extent_.max[0] - extent_.min[0]);
+    if (obstacle.kind == ObstacleKind::box) return -past / least;
+    const double radius = double{obstacle.radius} + body_;
+    return (radius - std::sqrt(squared)) / radius;
   }
 
   bool has_left(const Point& at) const {
@@ -57,22 +59,6 @@ class Referee {
   }
 
  private:
-  double image_depth(const Point& at, const Obstacle& obstacle, const int* shift) const {
-    double squared = 0, beyond = 0, past = -infinity, least = infinity;
-    for (std::size_t axis = 0; axis < extent_.min.size(); ++axis) {
-      const double size = static_cast<float>(extent_.max[axis]) - static_cast<float>(extent_.min[axis]);
-      const double o = double{at[axis]} - double{obstacle.at[axis]} + shift[axis] * size;
-      squared += o * o;
-      beyond += o * double{obstacle.normal[axis]};
-      past = std::max(past, std::abs(o) - double{obstacle.half[axis]} - body_);
-      least = std::min(least, double{obstacle.half[axis]} + body_);
-    }
-    if (obstacle.kind == ObstacleKind::plane) return (body_ - beyond) / (extent_.max[0] - extent_.min[0]);
-    if (obstacle.kind == ObstacleKind::box) return -past / least;
-    const double radius = double{obstacle.radius} + body_;
-    return (radius - std::sqrt(squared)) / radius;
-  }
-
   Extent extent_;
   bool wraps_, bounces_;
   double body_;
