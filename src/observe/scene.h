@@ -17,6 +17,11 @@ struct SceneColours {
   std::array<Rgba, 6> flocks{};
   Rgba outline, surface, text, accent;
   Rgba attractor, repeller;
+  Rgba food;
+  Rgba full;     ///< a hunter after a meal
+  Rgba starved;  ///< what a hunter pales to
+  Rgba ready;    ///< the tail of one that can jump
+  Rgba tired;    ///< and of one that can't
 };
 
 /// What besides the boids is put into a scene.
@@ -41,7 +46,8 @@ class Trails {
   std::unordered_map<std::uint64_t, Vec<3>> last_;
 };
 
-/// The colour that a boid is drawn in: its own drifting one, its flock's, or the palette's.
+/// The colour that a boid is drawn in: its own drifting one, its flock's, or the palette's; a hunter is red
+/// after a meal and pales as it starves.
 Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours);
 
 /// Fills a draw list with the space's outline, boids, and what the options ask for.

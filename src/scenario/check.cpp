@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/assign.h"
+#include "scenario/creatures.h"
 #include "scenario/events.h"
 
 namespace sturnus {
@@ -26,6 +27,7 @@ class Checker {
     check_boundary();
     check_flocks();
     check_targets();
+    check_creatures(scenario_, problems_);
     check_camera();
     check_events();
     return std::move(problems_);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/root.h"
+#include "scenario/creatures.h"
 #include "scenario/model.h"
 
 namespace sturnus {
@@ -32,6 +33,7 @@ class FlockCompiler {
     for (const Cohesion& term : def_.cohesion) cohesion(term);
     for (const Flee& term : def_.flee) flee(term);
     own_terms();
+    compile_creature(scenario_, own_, out_);
     colour();
     sort();
     for (const NeighbourRow& row : out_.rows) {
@@ -270,6 +272,7 @@ Model compile(const ScenarioDef& scenario) {
   model.dimensions = static_cast<int>(scenario.space.dimensions);
   model.seed = static_cast<std::uint64_t>(scenario.seed);
   model.dt = static_cast<float>(scenario.time.dt);
+  model.tick = scenario.time.dt;
   model.integrator = scenario.time.integrator;
   compile_space(scenario, model);
   model.index = scenario.index;
@@ -279,6 +282,7 @@ Model compile(const ScenarioDef& scenario) {
     model.flocks.push_back(FlockCompiler(scenario, i, model).run());
   }
   gather_uses(scenario, model);
+  compile_life(scenario, model);
   return model;
 }
 

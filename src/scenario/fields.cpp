@@ -1,75 +1,8 @@
 // The one list of parameters: a visiting function for each definition struct. Defaults stand in the structs.
-#include <sturnus/parameters.h>
-
-#include <initializer_list>
-#include <utility>
+#include "scenario/field_parts.h"
 
 namespace sturnus {
 namespace {
-
-template <class Enum>
-Choice choice(Enum& value, std::initializer_list<std::string_view> names) {
-  return {names, [&value] { return static_cast<int>(value); },
-          [&value](int index) { value = static_cast<Enum>(index); }};
-}
-
-template <class Def>
-Items list_of(std::vector<Def>& items, void (*visit_item)(Def&, FieldVisitor&)) {
-  Items out;
-  out.size = [&items] { return items.size(); };
-  out.resize = [&items](std::size_t size) { items.resize(size); };
-  out.visit = [&items, visit_item](std::size_t i, FieldVisitor& visitor) { visit_item(items[i], visitor); };
-  if constexpr (requires(Def def) { def.order; }) {
-    out.order = [&items](std::size_t i) { return &items[i].order; };
-  }
-  return out;
-}
-
-template <class Def>
-Items maybe(std::optional<Def>& item, void (*visit_item)(Def&, FieldVisitor&)) {
-  Items out;
-  out.at_most_one = true;
-  out.size = [&item] { return item ? std::size_t{1} : std::size_t{0}; };
-  out.resize = [&item](std::size_t size) {
-    if (size == 0) item.reset();
-    if (size > 0 && !item) item.emplace();
-  };
-  out.visit = [&item, visit_item](std::size_t, FieldVisitor& visitor) { visit_item(*item, visitor); };
-  if constexpr (requires(Def def) { def.order; }) {
-    out.order = [&item](std::size_t) { return &item->order; };
-  }
-  return out;
-}
-
-Choice edge_choice(Edge& edge) {
-  return choice(edge, {"open", "closed"});
-}
-Choice strength_choice(Strength& strength) {
-  return choice(strength, {"d", "1", "1/d"});
-}
-Choice combine_choice(Combine& combine) {
-  return choice(combine, {"sum", "mean"});
-}
-Choice form_choice(SteeringForm& form) {
-  return choice(form, {"heading", "seek", "linear", "arrive", "orbit"});
-}
-
-constexpr About weight_about{"", "how much the term counts in the sum of accelerations", -1e9, 1e9};
-constexpr About field_of_view_about{"degrees",
-                                    "full angle of sight around the heading; default: the flock's",
-                                    0,
-                                    360,
-                                    false,
-                                    "v·o >= cos(half)·|v|·d",
-                                    "quadtree project (S3-5)"};
-constexpr About priority_about{"",
-                               "order under arbitration budget and first, low numbers first",
-                               -1000000,
-                               1000000,
-                               false,
-                               "",
-                               "VUW CGRA 354 (S2-30)"};
-constexpr About on_about{"", "a switch that keeps the weight", 0, 1, false, "", "CS 184 (S4-21)"};
 
 // The keys that every term over neighbours has.
 template <class Term>
@@ -269,6 +202,15 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
                  "CS 184 (S4-32), prog06 (S1-16)"});
   visitor.field("size", &flock.size,
                 {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
+  visitor.field("body_radius", &flock.body_radius,
+                {"length", "how large a boid is to the touch", 0, infinity, false,
+                 "touch: d <= sum of the body radii", "CS 184 (S4-14)"});
+  visitor.items("hunt", {"", "hunt other flocks and eat whom the body touches"},
+                maybe(flock.hunt, visit_hunt));
+  visitor.items("jump", {"", "a burst of speed straight ahead when prey is near"},
+                maybe(flock.jump, visit_jump));
+  visitor.items("hunger", {"", "how long a meal lasts"}, maybe(flock.hunger, visit_hunger));
+  visitor.items("feed", {"", "eat food, of which new boids are born"}, maybe(flock.feed, visit_feed));
 }
 
 void visit_boundary(Boundary& boundary, FieldVisitor& visitor) {
@@ -429,6 +371,10 @@ void visit(ScenarioDef& scenario, FieldVisitor& visitor) {
   Items flocks = list_of(scenario.flocks, visit_flock);
   flocks.name = [&scenario](std::size_t i) { return scenario.flocks[i].name; };
   visitor.items("flock", {"", "a kind of boid"}, flocks);
+  Items food = list_of(scenario.food, visit_food);
+  food.name = [&scenario](std::size_t i) { return scenario.food[i].name; };
+  food.rename = [&scenario](std::size_t i, std::string name) { scenario.food[i].name = std::move(name); };
+  visitor.items("food", {"", "a kind of food"}, food);
 }
 
 }  // namespace sturnus

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace sturnus {
 
@@ -34,7 +35,9 @@ enum class TermKind {
   noise,
   targets,
   pointer,
-  custom
+  custom,
+  hunt,
+  feed
 };
 
 /// One steering term of a flock.
@@ -52,6 +55,50 @@ struct TermModel {
   int order = 0;
 };
 
+/// A cone of sight.
+struct SightModel {
+  float distance_squared = 0;  ///< d² < this
+  float cos_half_view = -1;
+  bool sees_all = true;
+};
+
+struct HuntModel {
+  std::uint64_t prey = 0;  ///< a bit for every flock that is hunted
+  SightModel sight;
+  HuntChoice choose = HuntChoice::average;
+  HuntAim aim = HuntAim::heading;
+  float time = 0;
+  float factor = 0;
+  float confusion = 0;
+};
+
+struct JumpModel {
+  float speed = 0;
+  float end_speed = 0;
+  double duration = 0;
+  double cooldown = 0;
+  SightModel trigger;
+};
+
+struct HungerModel {
+  double full_for = 0;
+  double starves_after = infinity;
+};
+
+struct FeedModel {
+  std::uint8_t kind = 0;  ///< of food
+  float radius = 0;
+  SteeringForm form = SteeringForm::heading;
+  std::size_t births = 0;  ///< for each piece
+};
+
+struct FoodModel {
+  float body_radius = 0;
+  double every = 0;  ///< time; 0: never
+  std::size_t count = 0;
+  std::size_t most = 0;  ///< pieces beyond which none comes
+};
+
 struct FlockModel {
   std::vector<NeighbourRow> rows;
   std::vector<TermModel> terms;  ///< in order of priority, then of the file
@@ -64,6 +111,13 @@ struct FlockModel {
   int colour_row = -1;
   float colour_averaging = 0;
   float colour_noise = 0;
+  float body_radius = 0;
+  bool is_hunter = false;         ///< also where the hunt is switched off
+  std::optional<HuntModel> hunt;  ///< empty where switched off; so is the jump
+  std::optional<JumpModel> jump;
+  std::optional<HungerModel> hunger;
+  std::optional<FeedModel> feed;
+  std::size_t population_cap = 0;  ///< no births beyond; the count where none are born
 
   static constexpr float infinity_f = std::numeric_limits<float>::infinity();
 };
@@ -93,6 +147,7 @@ struct Model {
   int dimensions = 2;
   std::uint64_t seed = 0;
   float dt = 1;
+  double tick = 1;  ///< dt as it is written, by which clocks run
   Integrator integrator = Integrator::semi_implicit_euler;
   BoundaryKind boundary = BoundaryKind::open;
   std::array<float, 3> min{}, max{}, size{}, margin{};
@@ -107,6 +162,12 @@ struct Model {
   bool uses_headings = false;
   bool uses_wander = false;
   bool uses_colour = false;
+  bool uses_hunger = false;  ///< some flock's life has the clocks of eating
+  bool uses_jump = false;
+  bool uses_focus = false;
+  bool has_hunters = false;
+  bool has_feeders = false;
+  std::vector<FoodModel> food;
 
   bool wraps() const { return boundary == BoundaryKind::wrap; }
 };

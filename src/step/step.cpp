@@ -1,6 +1,7 @@
 // One step of a flock, in the order in which the papers tell it.
 #include "step/step.h"
 
+#include "step/life.h"
 #include "step/watched.h"
 #include "world/columns.h"
 #include "world/state.h"
@@ -90,14 +91,16 @@ void sort_by_place(const Model& model, State& state, Scratch& scratch, const Wor
 }
 
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
-          const Outside& outside, const Workers& workers) {
+          const Outside& outside, StepReport& report, const Workers& workers) {
   {
     const Watched watched(outside.watch, Phase::sort, 0);
     quarantine(model, state, workers);
     sort_by_place(model, state, scratch, workers);
     ask_outside(scenario, state, scratch, outside, workers);
+    look_around(model, state, scratch, workers);
   }
   flock(model, state, scratch, outside.watch, workers);
+  live(model, scenario, state, scratch, report, workers);
   ++state.step;
 }
 

@@ -18,11 +18,11 @@ std::array<float, 3> floats(const Coordinates& at) {
   return out;
 }
 
-// From the place to a boid, in double: the offset between places in different images of a wrapped space.
-Vec<3, double> offset_from(const Coordinates& at, const Model& model, const State& state, std::size_t i) {
+// From the place to another, in double: the offset between places in different images of a wrapped space.
+Vec<3, double> offset_from(const Coordinates& at, const Model& model, const Columns& position, std::size_t i) {
   Vec<3, double> out;
   for (std::size_t axis = 0; axis < at.size(); ++axis) {
-    double o = double{state.position[axis][i]} - at[axis];
+    double o = double{position[axis][i]} - at[axis];
     const double size = model.size[axis];
     if (model.wraps() && o > size / 2) o -= size;
     if (model.wraps() && o < -size / 2) o += size;
@@ -64,11 +64,22 @@ struct Applier {
   Applied operator()(const EraseBoids& erase) const {
     std::vector<std::uint8_t> marks(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(erase.at, model, state, i);
+      const auto o = offset_from(erase.at, model, state.position, i);
       marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
     }
     keep(state, marks);
+    marks.resize(state.food.size());
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const auto o = offset_from(erase.at, model, state.food.position, i);
+      marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
+    }
+    keep(state.food, marks);
     return {.has_moved_boids = true};
+  }
+
+  Applied operator()(const AddFood& add) const {
+    spawn_food_around(scenario, model, add, state);
+    return {};
   }
 
   Applied operator()(const MoveBoid& move) const {
@@ -105,6 +116,12 @@ struct Applier {
   }
 };
 
+bool keeps_what_it_should(const Model& model, const State& state) {
+  return !state.wander[0].empty() == model.uses_wander && !state.colour[0].empty() == model.uses_colour &&
+         !state.life.full.empty() == model.uses_hunger && !state.life.jump.empty() == model.uses_jump &&
+         !state.life.focus.empty() == model.uses_focus;
+}
+
 bool changes(const Command& command, std::uint64_t step, ScenarioDef& scenario, Model& model, State& state) {
   if (!change_scenario(command, step, scenario)) return false;
   model = compile(scenario);
@@ -129,9 +146,7 @@ Applied redo(const Command& command, std::uint64_t step, ScenarioDef& scenario, 
 }
 
 void fit_to_model(const ScenarioDef& scenario, const Model& model, State& state) {
-  const bool keeps_wander = !state.wander[0].empty();
-  const bool keeps_colour = !state.colour[0].empty();
-  if (state.size() > 0 && (keeps_wander != model.uses_wander || keeps_colour != model.uses_colour)) {
+  if (state.size() > 0 && !keeps_what_it_should(model, state)) {
     State old = std::move(state);
     state = State{};
     state.dimensions = old.dimensions;
