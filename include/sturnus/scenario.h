@@ -269,8 +269,8 @@ struct FlockDef {
 
 /// Food that appears periodically.
 struct RandomFood {
-  double every = 0.0;      ///< time between two appearances; 0: never
-  std::int64_t count = 1;  ///< pieces each time
+  double every = 0.0;        ///< time between two appearances; 0: never
+  std::int64_t count = 1;    ///< pieces each time
   std::int64_t most = 1000;  ///< pieces of the kind beyond which none appears by itself
 };
 
@@ -381,8 +381,8 @@ struct PlaceTarget {
   double radius = infinity;
 };
 
-using Command =
-    std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids, PlaceTarget, AddFood>;
+using Command = std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids,
+                             PlaceTarget, AddFood>;
 
 /// A command and the step before which it is carried out.
 struct Event {

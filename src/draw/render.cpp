@@ -12,9 +12,9 @@ namespace sturnus {
 namespace {
 
 SceneColours scene_colours(const Theme& theme) {
-  return {theme.flocks,    theme.outline,  theme.surface, theme.text,        theme.attractor,
-          theme.attractor, theme.predator, theme.food,    theme.full_hunter, theme.starved,
-          theme.ready_tail, theme.tired_tail};
+  return {theme.flocks,      theme.outline,   theme.surface,    theme.text,
+          theme.attractor,   theme.attractor, theme.predator,   theme.food,
+          theme.full_hunter, theme.starved,   theme.ready_tail, theme.tired_tail};
 }
 
 Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {

@@ -15,16 +15,16 @@ void spoil_array(std::vector<T>& array) {
 
 }  // namespace
 
-// As many cells on an axis as are wider than the reach, with room for rounding, but no more than a few for
-// each piece.
+// Cells about half as wide as the reach, but no more than a few for each piece.
 void Pieces::lay_out(const Food& food, int dimensions, const std::array<float, 3>& low, float reach) {
-  const double most = std::clamp(std::sqrt(static_cast<double>(food.size())), 1.0, 64.0);
+  const double root = std::sqrt(static_cast<double>(food.size()));
+  const double most = dimensions == 3 ? std::min(2 * root, 32.0) : std::min(4 * root, 128.0);
   cells_ = {1, 1, 1};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
     const auto [least, largest] = std::minmax_element(food.position[axis].begin(), food.position[axis].end());
     low_[axis] = image_.wraps ? double{low[axis]} : double{*least};
     const double size = image_.wraps ? double{image_.size[axis]} : double{*largest} - double{*least};
-    const double wanted = std::min(size / (1.001 * double{reach}), most);
+    const double wanted = std::min(2 * size / double{reach}, most);
     cells_[axis] = wanted >= 1 ? static_cast<std::size_t>(wanted) : 1;
     width_[axis] = size > 0 ? size / static_cast<double>(cells_[axis]) : 1;
   }
@@ -65,17 +65,19 @@ void Pieces::build(const Food& food, int dimensions, const Wrapping& image, cons
   }
 }
 
-Pieces::Range Pieces::range(int axis, float coordinate) const {
-  const auto i = static_cast<std::size_t>(axis);
-  const auto count = static_cast<int>(cells_[i]);
+Pieces::Range Pieces::range(std::size_t axis, float coordinate, float radius) const {
+  const auto count = static_cast<double>(cells_[axis]);
+  const double at = double{coordinate} - low_[axis];
+  // With room for the rounding of offsets in float.
+  const double wide = 1.0001 * double{radius} + 1e-6 * (std::abs(at) + std::abs(low_[axis]));
+  const double first = std::floor((at - wide) / width_[axis]);
+  const double last = std::floor((at + wide) / width_[axis]);
   if (image_.wraps) {
-    if (count <= 3) return {0, count};
-    return {(static_cast<int>(cell_at(i, coordinate)) + count - 1) % count, 3};
+    if (!(last - first + 1 < count)) return {0, static_cast<int>(cells_[axis])};
+    return {static_cast<int>(first < 0 ? first + count : first), static_cast<int>(last - first) + 1};
   }
-  // Outside the pieces' box the clamped cell is at its edge: the neighbours are still within one cell.
-  const auto own = static_cast<int>(cell_at(i, coordinate));
-  const int first = std::max(own - 1, 0);
-  return {first, std::min(own + 1, count - 1) - first + 1};
+  const double from = std::clamp(first, 0.0, count - 1);
+  return {static_cast<int>(from), static_cast<int>(std::clamp(last, 0.0, count - 1) - from) + 1};
 }
 
 void Pieces::spoil() {

@@ -9,11 +9,11 @@
 
 namespace sturnus {
 
-/// Pieces of food sorted into cells at least as wide as the largest question.
+/// Pieces of food sorted into cells.
 class Pieces {
  public:
-  /// Sorts the food for questions of up to `reach` (length). `low` is the lower corner of the space, which
-  /// matters where it wraps.
+  /// Sorts the food for questions of mostly up to `reach` (length). `low` is the lower corner of the space,
+  /// which matters where it wraps.
   void build(const Food& food, int dimensions, const Wrapping& image, const std::array<float, 3>& low,
              float reach);
 
@@ -22,7 +22,8 @@ class Pieces {
   void visit(const Vec<D>& at, float radius, F&& f) const {
     if (slot_.empty()) return;
     std::array<Range, 3> ranges{};
-    for (int axis = 0; axis < D; ++axis) ranges[static_cast<std::size_t>(axis)] = range(axis, at[axis]);
+    for (std::size_t axis = 0; axis < D; ++axis)
+      ranges[axis] = range(axis, at[static_cast<int>(axis)], radius);
     for (int k = 0; k < ranges[2].count; ++k) {
       for (int j = 0; j < ranges[1].count; ++j) {
         for (int i = 0; i < ranges[0].count; ++i) {
@@ -43,7 +44,7 @@ class Pieces {
   struct Range {
     int first = 0, count = 1;
   };
-  Range range(int axis, float coordinate) const;
+  Range range(std::size_t axis, float coordinate, float radius) const;
   std::size_t cell_on(std::size_t axis, const Range& range, int i) const {
     const auto cell = static_cast<std::size_t>(range.first + i);
     return cell < cells_[axis] ? cell : cell - cells_[axis];

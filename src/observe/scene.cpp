@@ -117,11 +117,13 @@ void add_tail(const View& view, const FlockDef& flock, std::size_t slot, const S
   if (!flock.jump || life.jump.empty()) return;
   const auto size = static_cast<float>(flock.size);
   const bool is_ready = !(life.jump[slot] > 0) && !(life.rest[slot] > 0) && flock.jump->on;
+  const bool is_cone = view.dimensions() == 3;  // of which the model begins at the place
   Glyph tail;
-  tail.position = Vec<3>{view.position(slot)} - unit(Vec<3>{view.velocity(slot)}) * (0.44f * size);
-  tail.size = 0.3f * size;
+  tail.position =
+      Vec<3>{view.position(slot)} - unit(Vec<3>{view.velocity(slot)}) * ((is_cone ? 0.06f : 0.44f) * size);
+  tail.size = (is_cone ? 0.24f : 0.3f) * size;
   tail.colour = is_ready ? colours.ready : colours.tired;
-  tail.kind = view.dimensions() == 3 ? GlyphKind::ball : GlyphKind::circle;
+  tail.kind = is_cone ? GlyphKind::ball : GlyphKind::circle;
   list.glyphs.push_back(tail);
 }
 

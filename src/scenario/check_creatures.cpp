@@ -51,6 +51,9 @@ class CreatureChecker {
     const auto axes = static_cast<std::size_t>(scenario_.space.dimensions);
     if (!food.at.empty() && food.at.size() != axes)
       say_error(prefix + "at", say("must have ", axes, " numbers, but has ", food.at.size()));
+    for (const double coordinate : food.at) {
+      if (!(std::abs(coordinate) <= 1e15)) say_error(prefix + "at", "must be finite and at most 1e15");
+    }
     const std::string& colour = food.colour;
     const bool is_hex = colour.size() == 7 && colour[0] == '#' &&
                         colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
@@ -117,7 +120,8 @@ class CreatureChecker {
       say_error(prefix + "form", "nobody slows down for food; \"arrive\" is for targets and the pointer");
     const bool is_fast = feed.form == SteeringForm::seek || feed.form == SteeringForm::orbit;
     if (is_fast && std::isinf(flock.max_speed))
-      say_error(prefix + "form", say("goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
+      say_error(prefix + "form",
+                say("goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
     if (feed.population_cap > 0 && feed.population_cap < flock.count) {
       say_warning(prefix + "population_cap", say(feed.population_cap, " is below the count of ", flock.count,
                                                  ": nobody is born until some have died"));

@@ -95,7 +95,8 @@ void compile_life(const ScenarioDef& scenario, Model& model) {
   }
   for (const FoodDef& food : scenario.food) {
     model.food.push_back({static_cast<float>(food.body_radius), food.random.every,
-                          static_cast<std::size_t>(food.random.count), static_cast<std::size_t>(food.random.most)});
+                          static_cast<std::size_t>(food.random.count),
+                          static_cast<std::size_t>(food.random.most)});
   }
 }
 

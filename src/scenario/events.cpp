@@ -199,7 +199,8 @@ Command command_from(const std::string& verb, Parts& parts) {
     return ScatterBoids{std::move(at), parts.number("radius")};
   }
   if (verb == "target") return target_from(parts);
-  parts.fail(unknown_word("event", verb, {"set", "add", "food", "erase", "move", "pointer", "scatter", "target"}));
+  parts.fail(
+      unknown_word("event", verb, {"set", "add", "food", "erase", "move", "pointer", "scatter", "target"}));
   return {};
 }
 

@@ -67,10 +67,11 @@ void visit_feed(Feed& feed, FieldVisitor& visitor) {
   visitor.field("radius", &feed.radius,
                 {"length", "how far a piece is noticed", 0, infinity, false, "", "CS 184 (S4-23)"});
   visitor.field("weight", &feed.weight, weight_about);
-  visitor.field(
-      "form", form_choice(feed.form),
-      {"", "heading: unit(toward) - heading; seek: full speed toward it - v; linear: the offset itself; orbit: full speed toward it", 0, 0,
-       false, "", "CS 184 (S4-11, S4-23)"});
+  visitor.field("form", form_choice(feed.form),
+                {"",
+                 "heading: unit(toward) - heading; seek: full speed toward it - v; linear: the offset "
+                 "itself; orbit: full speed toward it",
+                 0, 0, false, "", "CS 184 (S4-11, S4-23)"});
   visitor.field("births", &feed.births,
                 {"boids", "how many are born of one piece", 0, 1000, false, "", "CS 184 (S4-23)"});
   visitor.field("population_cap", &feed.population_cap,
@@ -85,7 +86,7 @@ void visit_food(FoodDef& food, FieldVisitor& visitor) {
                 {"pieces", "how many there are at the start", 0, 1e6, false, "", "CS 184 (S4-23)"});
   visitor.field("at", CoordinatesRef{&food.at},
                 {"length", "around which place pieces appear; default: anywhere in the space"});
-  visitor.field("radius", &food.radius, {"length", "how far they are spread around it", 0, infinity});
+  visitor.field("radius", &food.radius, {"length", "how far they are spread around it", 0, 1e15});
   visitor.table("random", {"", "pieces that appear on the way"}, [&](FieldVisitor& inner) {
     inner.field("every", &food.random.every,
                 {"time", "between two appearances; 0: never", 0, infinity, false, "", "CS 184 (S4-22)"});

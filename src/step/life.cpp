@@ -225,7 +225,8 @@ void lay_out_food(const Model& model, const ScenarioDef& scenario, State& state)
     if (!(food.every > 0)) continue;
     const double due = periods(state.step + 1, food.every) - periods(state.step, food.every);
     if (!(due > 0)) continue;
-    const auto there = static_cast<std::size_t>(std::count(state.food.kind.begin(), state.food.kind.end(), kind));
+    const auto there =
+        static_cast<std::size_t>(std::count(state.food.kind.begin(), state.food.kind.end(), kind));
     const std::size_t room = food.most > there ? food.most - there : 0;
     const double wanted = due * static_cast<double>(food.count);
     const bool fits = wanted < static_cast<double>(room);

@@ -19,7 +19,8 @@ std::array<float, 3> floats(const Coordinates& at) {
 }
 
 // From the place to another, in double: the offset between places in different images of a wrapped space.
-Vec<3, double> offset_from(const Coordinates& at, const Model& model, const Columns& position, std::size_t i) {
+Vec<3, double> offset_from(const Coordinates& at, const Model& model, const Columns& position,
+                           std::size_t i) {
   Vec<3, double> out;
   for (std::size_t axis = 0; axis < at.size(); ++axis) {
     double o = double{position[axis][i]} - at[axis];
@@ -108,7 +109,7 @@ struct Applier {
 
   Applied operator()(const ScatterBoids& scatter) const {
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(scatter.at, model, state, i);
+      const auto o = offset_from(scatter.at, model, state.position, i);
       if (dot(o, o) > scatter.radius * scatter.radius || state.quarantined[i] != 0) continue;
       model.dimensions == 3 ? scatter_boid<3>(model, o, state, i) : scatter_boid<2>(model, o, state, i);
     }
