@@ -51,6 +51,10 @@ void tell_report(const sturnus::Simulation& flock) {
   if (report.quarantined > 0) {
     tell("warning: " + counted(report.quarantined, "boid") + " met a bad number and went out of play");
   }
+  if (report.births_refused > 0) {
+    tell("note: " + counted(report.births_refused, "boid") +
+         " could not be born because the flock was at its population_cap");
+  }
   if (report.commands_in_vain > 0) {
     tell("warning: " + counted(report.commands_in_vain, "event") + " named a boid that was not there");
   }

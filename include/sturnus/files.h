@@ -23,7 +23,9 @@ Result<Simulation> open_simulation(const ScenarioDef& scenario, int threads = 0)
 /// State CSV: header id,flock,x,y,vx,vy or id,flock,x,y,z,vx,vy,vz, one boid a line in storage order, numbers
 /// that read back to the same bits; `flock` counts from 0. Scenarios that wander or drift colours add the
 /// columns wander_x,wander_y(,wander_z) and red,green,blue; boids in quarantine add the column quarantined,
-/// and where the newest boids are gone next_id keeps their ids from being used again.
+/// and where the newest boids are gone next_id keeps their ids from being used again. Hunters add their
+/// clocks full, fasting, jump, rest and the id in focus, empty for nobody. A line with a number in the column
+/// food is a piece of that kind of food, counted from 0, and has no more than id and place.
 std::string state_csv(const State& state);
 /// The state, or what is wrong with the text, by file and line. Columns may come in any order; velocity
 /// columns and `flock` may be absent (0), id too (line order).

@@ -46,6 +46,10 @@ enum class CameraFit { space, flock };
 /// How a boid avoids obstacles. sweep: sideways, out of the way of the first that it would hit (VUW);
 /// heading: away from all that are near (CS 184).
 enum class ObstacleForm { sweep, heading };
+enum class HuntChoice { average, nearest };  ///< all prey in view together, or one in focus
+/// Where a hunter steers: turns toward its prey, goes at full speed toward it, or toward where it will be
+/// after a constant time, a time that grows with the distance, or the time that catching it takes.
+enum class HuntAim { heading, seek, constant, distance, intercept };
 
 /// Whose members a term looks at: its own flock's, everybody's, or those of the named flocks.
 struct Whose {
@@ -160,6 +164,53 @@ struct Noise {
   int order = 0;
 };
 
+/// Hunt the boids of other flocks: steer toward those in view and eat whom the body touches. A flock that
+/// hunts is one of predators.
+struct Hunt {
+  std::vector<std::string> prey = {};  ///< names of the flocks that are hunted
+  double sight = 150.0;                ///< length; how far prey is seen
+  HuntChoice choose = HuntChoice::average;
+  HuntAim aim = HuntAim::heading;
+  double time = 10.0;      ///< time; aim constant: how far ahead the prey is foreseen
+  double factor = 0.2;     ///< time per length; aim distance: it is foreseen for this times its distance
+  double confusion = 0.0;  ///< per prey in view and time; how often the focus slips to another one
+  double weight = 0.1;
+  std::optional<double> field_of_view = {};  ///< full angle in degrees; not given: the flock's
+  std::int64_t priority = 0;
+  bool on = true;
+  int order = 0;
+};
+
+/// A burst of speed straight ahead when prey is near: starts at `speed` and slows down evenly to the cruising
+/// speed, or to max_speed in a flock that has none. Steering, limits and noise rest meanwhile.
+struct Jump {
+  double speed = 9.0;           ///< length per time, above max_speed or not
+  double duration = 30.0;       ///< time
+  double cooldown = 180.0;      ///< time from the end of a jump until the next may begin
+  double distance = 60.0;       ///< length; how near a prey must be
+  double field_of_view = 50.0;  ///< full angle in degrees in which it must be
+  bool on = true;
+};
+
+/// What eating does and what the lack of it does.
+struct Hunger {
+  double full_for = 120.0;          ///< time after a meal in which prey is ignored
+  double starves_after = infinity;  ///< time without a meal after which a hunter dies; infinity: never
+};
+
+/// Be drawn to food within a radius and eat what the body touches; for every piece new boids of the own flock
+/// appear beside it.
+struct Feed {
+  std::string on;        ///< name of the food
+  double radius = 60.0;  ///< length; how far a piece is noticed
+  double weight = 0.1;
+  SteeringForm form = SteeringForm::heading;
+  std::int64_t births = 1;          ///< boids for each piece
+  std::int64_t population_cap = 0;  ///< boids of the flock beyond which none is born; 0: four times its count
+  std::int64_t priority = 0;
+  int order = 0;
+};
+
 /// Where boids begin, and how fast.
 struct Start {
   StartRegion region = StartRegion::space;
@@ -235,7 +286,30 @@ struct FlockDef {
   Colour colour;
   std::optional<GlyphStyle> glyph;  ///< how a boid is drawn; not given: dart in 2D, cone in 3D
   double size = 5.0;                ///< length of a drawn boid
-  double body_radius = 0.0;         ///< length; how thick a boid is for whatever it may touch
+  double body_radius = 0.0;         ///< length; how large a boid is to the touch
+  std::optional<Hunt> hunt;
+  std::optional<Jump> jump;
+  std::optional<Hunger> hunger;
+  std::optional<Feed> feed;
+};
+
+/// Food that appears periodically.
+struct RandomFood {
+  double every = 0.0;        ///< time between two appearances; 0: never
+  std::int64_t count = 1;    ///< pieces each time
+  std::int64_t most = 1000;  ///< pieces of the kind beyond which none appears by itself
+};
+
+/// A kind of food: pieces that lie still until somebody eats them.
+struct FoodDef {
+  std::string name = "food";
+  std::int64_t count = 20;   ///< pieces at the start
+  Coordinates at;            ///< length; where pieces appear; not given: anywhere in the space
+  double radius = 0.0;       ///< length; around `at`, how far they are spread
+  RandomFood random;         ///< new pieces on the way
+  double body_radius = 2.0;  ///< length; how large a piece is to the touch
+  double size = 4.0;         ///< length; how large it is drawn
+  std::string colour;        ///< "#rrggbb", or empty for the theme's
 };
 
 /// What happens at the edge of the space.
@@ -311,8 +385,15 @@ struct AddBoids {
   Coordinates at;
   double radius = 0.0;
 };
-/// Remove every boid, target and obstacle within `radius` (length) of a place; of an obstacle its centre counts,
-/// and planes stay.
+/// Lay out `count` pieces of food around a place, spread over a ball of `radius` (length).
+struct AddFood {
+  std::string food;
+  std::int64_t count = 1;
+  Coordinates at;
+  double radius = 0.0;
+};
+/// Remove every boid, target, piece of food and obstacle within `radius` (length) of a place; of an obstacle
+/// its centre counts, and planes stay.
 struct EraseBoids {
   Coordinates at;
   double radius = 0.0;
@@ -350,7 +431,7 @@ struct PlaceTarget {
 };
 
 using Command = std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids,
-                             PlaceTarget, PlaceObstacle>;
+                             PlaceTarget, PlaceObstacle, AddFood>;
 
 /// A command and the step before which it is carried out.
 struct Event {
@@ -397,6 +478,7 @@ struct ScenarioDef {
   std::vector<TargetDef> targets;
   std::vector<ObstacleDef> obstacles;
   std::vector<FlockDef> flocks = {FlockDef{}};
+  std::vector<FoodDef> food;
 
   std::int64_t boid_count() const {
     std::int64_t sum = 0;

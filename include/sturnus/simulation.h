@@ -58,6 +58,7 @@ class Snapshot {
 struct StepReport {
   std::size_t quarantined = 0;       ///< boids out of play because of a bad number
   std::size_t commands_in_vain = 0;  ///< events that named a boid that is not there
+  std::size_t births_refused = 0;    ///< boids not born because their flock was at its population_cap
 };
 
 class Simulation {

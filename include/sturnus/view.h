@@ -37,6 +37,28 @@ struct Obstacle {
   friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
+/// No boid's id.
+inline constexpr std::uint64_t nobody = ~std::uint64_t{0};
+
+/// The clocks of those that hunt, in the scenario's time, and whom they have in focus. Every array has one
+/// entry for each boid where some flock uses it.
+struct Life {
+  std::vector<double> full;          ///< how long it still ignores prey; 0: hungry
+  std::vector<double> fasting;       ///< time since its last meal, or since it came into the world
+  std::vector<double> jump;          ///< what is left of a jump; 0: does not jump
+  std::vector<double> rest;          ///< from the end of a jump until the next may begin; 0: ready
+  std::vector<std::uint64_t> focus;  ///< id of the prey that it is after, or `nobody`
+};
+
+/// Pieces of food, in the order in which they came.
+struct Food {
+  std::vector<std::uint64_t> id;   ///< from the same numbers as boids
+  std::vector<std::uint8_t> kind;  ///< index of the kind in file order, from 0
+  Columns position;                ///< length
+
+  std::size_t size() const { return id.size(); }
+};
+
 /// Exactly what changes during a run, as a struct of arrays in storage order. Together with the effective
 /// scenario it is all there is to know. Every array has one entry for each boid, or none where it is unused.
 struct State {
@@ -50,6 +72,8 @@ struct State {
   Columns velocity;                       ///< length per time
   Columns wander;                         ///< unit vectors; empty where no flock wanders
   Columns colour;                         ///< red, green, blue, 0 to 1; empty where colours don't drift
+  Life life;
+  Food food;  ///< not boids: the only part of the state that has other sizes
   PointerState pointer;
   std::vector<Obstacle>
       obstacles;  ///< as they stand, numbered by their order: that in which they were placed

@@ -26,4 +26,10 @@ inline std::uint64_t bits_of(float value) {
   return bits;
 }
 
+inline std::uint64_t bits_of(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
 }  // namespace sturnus

@@ -21,6 +21,9 @@ enum class Stream : std::uint32_t {
   wander,
   colour,
   obstacle,
+  food,       ///< where a piece lies, by its own id
+  birth,      ///< where a newborn appears, by its own id
+  confusion,  ///< whether and to whom a focus slips
 };
 
 /// The numbers of one purpose for one boid in one step, one after the other.

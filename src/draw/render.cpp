@@ -17,6 +17,11 @@ SceneColours scene_colours(const Theme& theme) {
   SceneColours out = {theme.flocks,    theme.outline,   theme.surface,  theme.text,
                       theme.attractor, theme.attractor, theme.predator, theme.obstacle};
   out.terms = {theme.predator, flocks[0], flocks[2], flocks[3], flocks[1], flocks[4], flocks[5]};
+  out.food = theme.food;
+  out.full = theme.full_hunter;
+  out.starved = theme.starved;
+  out.ready = theme.ready_tail;
+  out.tired = theme.tired_tail;
   return out;
 }
 

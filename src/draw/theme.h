@@ -17,6 +17,10 @@ struct Theme {
   Rgba faint_text;  ///< units, tick labels
   Rgba predator;
   Rgba food;
+  Rgba full_hunter;  ///< after a meal
+  Rgba starved;      ///< what a hunter pales to: white, where that can be seen
+  Rgba ready_tail;   ///< of one that can jump
+  Rgba tired_tail;   ///< of one that can't
   Rgba obstacle;
   Rgba attractor;
   std::array<Rgba, 6>

@@ -16,6 +16,23 @@ std::uint8_t to_byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
+Rgba colour_from(const std::string& hex) {
+  const auto given = colour_of_hex(hex);
+  return {to_byte(given[0]), to_byte(given[1]), to_byte(given[2]), 255};
+}
+
+Rgba plain_colour(const View& view, std::size_t slot, const SceneColours& colours) {
+  const State& state = view.state();
+  if (!state.colour[0].empty()) {
+    return {to_byte(state.colour[0][slot]), to_byte(state.colour[1][slot]), to_byte(state.colour[2][slot]),
+            255};
+  }
+  const auto flock = static_cast<std::size_t>(view.flock(slot));
+  const std::string& start = view.scenario().flocks[flock].colour.start;
+  if (start.empty() || start == "random") return colours.flocks[flock % colours.flocks.size()];
+  return colour_from(start);
+}
+
 void add_outline(const View& view, const SceneColours& colours, DrawList& list) {
   if (!view.scenario().camera.outline) return;
   const Extent extent = extent_of(view.scenario());
@@ -64,6 +81,54 @@ void add_velocity(const View& view, const FlockDef& flock, std::size_t slot, con
   list.arrows.push_back({position, position + velocity * scale, colours.accent, 1.25f});
 }
 
+Rgba mixed(Rgba from, Rgba to, float part) {
+  const auto channel = [part](std::uint8_t a, std::uint8_t b) {
+    return to_byte((static_cast<float>(a) * (1 - part) + static_cast<float>(b) * part) / 255.0f);
+  };
+  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b), from.a};
+}
+
+// What a hunter's clocks make of its colour.
+Rgba shown_by_hunger(const View& view, std::size_t slot, Rgba own, const SceneColours& colours) {
+  const Life& life = view.state().life;
+  const auto& hunger = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))].hunger;
+  if (!hunger || life.full.empty()) return own;
+  if (life.full[slot] > 0) return colours.full;
+  const double starved = life.fasting[slot] / hunger->starves_after;
+  return mixed(own, colours.starved, static_cast<float>(std::clamp(starved, 0.0, 1.0)));
+}
+
+// Green where a jump is ready, grey where not.
+void add_tail(const View& view, const FlockDef& flock, std::size_t slot, const SceneColours& colours,
+              DrawList& list) {
+  const Life& life = view.state().life;
+  if (!flock.jump || life.jump.empty()) return;
+  const auto size = static_cast<float>(flock.size);
+  const bool is_ready = !(life.jump[slot] > 0) && !(life.rest[slot] > 0) && flock.jump->on;
+  const bool is_cone = view.dimensions() == 3;  // of which the model begins at the place
+  Glyph tail;
+  tail.position =
+      Vec<3>{view.position(slot)} - unit(Vec<3>{view.velocity(slot)}) * ((is_cone ? 0.06f : 0.44f) * size);
+  tail.size = (is_cone ? 0.24f : 0.3f) * size;
+  tail.colour = is_ready ? colours.ready : colours.tired;
+  tail.kind = is_cone ? GlyphKind::ball : GlyphKind::circle;
+  list.glyphs.push_back(tail);
+}
+
+void add_food(const View& view, const SceneColours& colours, DrawList& list) {
+  const Food& food = view.state().food;
+  for (std::size_t i = 0; i < food.size(); ++i) {
+    const FoodDef& def = view.scenario().food[food.kind[i]];
+    Glyph piece;
+    for (std::size_t axis = 0; axis < 3 && !food.position[axis].empty(); ++axis)
+      piece.position[static_cast<int>(axis)] = food.position[axis][i];
+    piece.size = static_cast<float>(def.size);
+    piece.colour = def.colour.empty() ? colours.food : colour_from(def.colour);
+    piece.kind = view.dimensions() == 3 ? GlyphKind::ball : GlyphKind::circle;
+    list.glyphs.push_back(piece);
+  }
+}
+
 void add_caption(const View& view, const SceneColours& colours, DrawList& list) {
   const ScenarioDef& scenario = view.scenario();
   Label title;
@@ -75,7 +140,9 @@ void add_caption(const View& view, const SceneColours& colours, DrawList& list) 
   title.colour = colours.text;
   list.labels.push_back(title);
   Label state = title;
-  state.text = say(view.size(), " boids · step ", view.step());
+  const std::size_t food = view.state().food.size();
+  state.text = say(view.size(), " boids · ", food, " food · step ", view.step());
+  if (scenario.food.empty()) state.text = say(view.size(), " boids · step ", view.step());
   state.offset_y = 56;
   state.size = 13;
   state.colour = with_alpha(colours.text, 0.65f);
@@ -98,16 +165,7 @@ GlyphKind kind_of(const FlockDef& flock, int dimensions) {
 }
 
 Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours) {
-  const State& state = view.state();
-  if (!state.colour[0].empty()) {
-    return {to_byte(state.colour[0][slot]), to_byte(state.colour[1][slot]), to_byte(state.colour[2][slot]),
-            255};
-  }
-  const auto flock = static_cast<std::size_t>(view.flock(slot));
-  const std::string& start = view.scenario().flocks[flock].colour.start;
-  if (start.empty() || start == "random") return colours.flocks[flock % colours.flocks.size()];
-  const auto given = colour_of_hex(start);
-  return {to_byte(given[0]), to_byte(given[1]), to_byte(given[2]), 255};
+  return shown_by_hunger(view, slot, plain_colour(view, slot, colours), colours);
 }
 
 void Trails::follow(const View& view) {
@@ -157,6 +215,7 @@ void make_scene(const View& view, const SceneColours& colours, const SceneOption
   add_index(options, colours, list);
   add_obstacles(view, colours, list);
   add_targets(view, colours, list);
+  add_food(view, colours, list);
   for (std::size_t slot = 0; slot < view.size(); ++slot) {
     const FlockDef& flock = view.scenario().flocks[static_cast<std::size_t>(view.flock(slot))];
     const Rgba colour =
@@ -164,6 +223,7 @@ void make_scene(const View& view, const SceneColours& colours, const SceneOption
     if (colour.a == 0) continue;
     list.glyphs.push_back({Vec<3>{view.position(slot)}, Vec<3>{view.velocity(slot)},
                            static_cast<float>(flock.size), colour, kind_of(flock, view.dimensions())});
+    add_tail(view, flock, slot, colours, list);
     if (options.velocities) add_velocity(view, flock, slot, colours, list);
   }
   if (options.caption) add_caption(view, colours, list);

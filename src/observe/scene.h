@@ -18,6 +18,11 @@ struct SceneColours {
   Rgba outline, surface, text, accent;
   Rgba attractor, repeller, obstacle;
   std::array<Rgba, 7> terms{};  ///< separation, alignment, cohesion, then whatever else is felt
+  Rgba food;
+  Rgba full;     ///< a hunter after a meal
+  Rgba starved;  ///< what a hunter pales to
+  Rgba ready;    ///< the tail of one that can jump
+  Rgba tired;    ///< and of one that can't
 };
 
 /// What besides the boids is put into a scene.
@@ -43,7 +48,8 @@ class Trails {
   std::unordered_map<std::uint64_t, Vec<3>> last_;
 };
 
-/// The colour that a boid is drawn in: its own drifting one, its flock's, or the palette's.
+/// The colour that a boid is drawn in: its own drifting one, its flock's, or the palette's; a hunter is red
+/// after a meal and pales as it starves.
 Rgba colour_of(const View& view, std::size_t slot, const SceneColours& colours);
 
 /// The glyph of a flock's boids.

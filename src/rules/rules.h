@@ -6,6 +6,7 @@
 #include <sturnus/view.h>
 
 #include "neighbours/kernel.h"
+#include "neighbours/pieces.h"
 #include "rules/arbitration.h"
 #include "rules/neighbour_terms.h"
 #include "rules/others.h"
@@ -62,6 +63,17 @@ Vec<D> collision_avoidance(const AvoidanceModel& model, const Others<D>& others,
 /// A brake for the nearest one ahead; of equals the one with the lowest id.
 template <int D>
 Vec<D> queuing(const QueueModel& model, const Others<D>& others, const Self<D>& self);
+/// Where a hunter steers for one prey: the direction to where it will be by the aim, a unit vector.
+template <int D>
+Vec<D> aimed(const HuntModel& hunt, const Vec<D>& offset, const Vec<D>& prey_velocity, float max_speed);
+
+/// What a hunter feels whose prey lies in the mean direction `toward`.
+template <int D>
+Vec<D> chase(const HuntModel& hunt, const Vec<D>& toward, const Vec<D>& velocity, float max_speed);
+
+/// Toward the food of its kind within the radius; zero where there is none.
+template <int D>
+Vec<D> feed(const FeedModel& feed, const Pieces& pieces, const Self<D>& self, float max_speed);
 
 /// What the pressed pointer makes a boid feel.
 template <int D>

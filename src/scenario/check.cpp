@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "scenario/assign.h"
 #include "scenario/behaviours.h"
+#include "scenario/creatures.h"
 #include "scenario/events.h"
 #include "scenario/obstacles.h"
 
@@ -30,6 +31,7 @@ class Checker {
     check_targets();
     check_obstacles();
     check_behaviours(scenario_, problems_);
+    check_creatures(scenario_, problems_);
     check_camera();
     check_events();
     return std::move(problems_);

@@ -4,6 +4,7 @@
 
 #include "base/root.h"
 #include "scenario/behaviours.h"
+#include "scenario/creatures.h"
 #include "scenario/model.h"
 
 namespace sturnus {
@@ -34,6 +35,7 @@ class FlockCompiler {
     for (const Flee& term : def_.flee) flee(term);
     own_terms();
     compile_behaviours(scenario_, own_, out_);
+    compile_creature(scenario_, own_, out_);
     colour();
     sort();
     for (const NeighbourRow& row : out_.rows) {
@@ -301,6 +303,7 @@ Model compile(const ScenarioDef& scenario) {
   model.dimensions = static_cast<int>(scenario.space.dimensions);
   model.seed = static_cast<std::uint64_t>(scenario.seed);
   model.dt = static_cast<float>(scenario.time.dt);
+  model.tick = scenario.time.dt;
   model.integrator = scenario.time.integrator;
   compile_space(scenario, model);
   model.index = scenario.index;
@@ -312,6 +315,7 @@ Model compile(const ScenarioDef& scenario) {
   gather_uses(scenario, model);
   gather_obstacle_reach(model);
   gather_behaviours(model);
+  compile_life(scenario, model);
   return model;
 }
 

@@ -35,6 +35,10 @@ Value::List parts_of(const Command& command) {
       return {word("add"), word(add.flock), number(static_cast<double>(add.count)), place(add.at),
               number(add.radius)};
     }
+    Value::List operator()(const AddFood& add) const {
+      return {word("food"), word(add.food), number(static_cast<double>(add.count)), place(add.at),
+              number(add.radius)};
+    }
     Value::List operator()(const EraseBoids& erase) const {
       return {word("erase"), place(erase.at), number(erase.radius)};
     }
@@ -174,6 +178,14 @@ Command command_from(const std::string& verb, Parts& parts) {
     if (!parts.at_end()) add.radius = parts.number("radius");
     return add;
   }
+  if (verb == "food") {
+    AddFood add;
+    add.food = parts.word("food");
+    add.count = static_cast<std::int64_t>(parts.whole("count"));
+    add.at = parts.place("place");
+    if (!parts.at_end()) add.radius = parts.number("radius");
+    return add;
+  }
   if (verb == "erase") {
     Coordinates at = parts.place("place");
     return EraseBoids{std::move(at), parts.number("radius")};
@@ -195,8 +207,9 @@ Command command_from(const std::string& verb, Parts& parts) {
     Coordinates at = parts.place("place");
     return PlaceObstacle{std::move(at), parts.number("radius")};
   }
-  parts.fail(unknown_word("event", verb,
-                          {"set", "add", "erase", "move", "pointer", "scatter", "target", "obstacle"}));
+  parts.fail(unknown_word(
+      "event", verb,
+      {"set", "add", "food", "erase", "move", "pointer", "scatter", "target", "obstacle"}));
   return {};
 }
 
@@ -223,6 +236,8 @@ bool fixed_while_running(std::string_view path) {
   }
   if (path.starts_with("target.") && path.ends_with(".name")) return true;
   if (path == "obstacle" || path.starts_with("obstacle.")) return true;
+  if (path.starts_with("food.") && (path.ends_with(".name") || path.ends_with(".count")))
+    return path.find(".random.") == path.npos;
   if (!path.starts_with("flock.")) return false;
   const auto dot = path.find('.', 6);
   const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
@@ -254,6 +269,16 @@ struct CommandCheck {
       return unknown_word("flock", add.flock, names);
     if (add.count < 0 || add.count > 1000000000)
       return say("the count must be between 0 and 1e9, but is ", add.count);
+    if (auto error = check_radius(add.radius)) return error;
+    return check_place(scenario, add.at, "place");
+  }
+  Error operator()(const AddFood& add) const {
+    std::vector<std::string> names;
+    for (const FoodDef& food : scenario.food) names.push_back(food.name);
+    if (std::find(names.begin(), names.end(), add.food) == names.end())
+      return unknown_word("food", add.food, names);
+    if (add.count < 0 || add.count > 1000000)
+      return say("the count must be between 0 and 1e6, but is ", add.count);
     if (auto error = check_radius(add.radius)) return error;
     return check_place(scenario, add.at, "place");
   }

@@ -72,4 +72,11 @@ inline constexpr About priority_about{"",
                                       "VUW CGRA 354 (S2-30)"};
 inline constexpr About on_about{"", "a switch that keeps the weight", 0, 1, false, "", "CS 184 (S4-21)"};
 
+/// The lists of src/scenario/fields_creatures.cpp.
+void visit_hunt(Hunt& hunt, FieldVisitor& visitor);
+void visit_jump(Jump& jump, FieldVisitor& visitor);
+void visit_hunger(Hunger& hunger, FieldVisitor& visitor);
+void visit_feed(Feed& feed, FieldVisitor& visitor);
+void visit_food(FoodDef& food, FieldVisitor& visitor);
+
 }  // namespace sturnus

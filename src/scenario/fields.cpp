@@ -231,8 +231,14 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
   visitor.field("size", &flock.size,
                 {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
   visitor.field("body_radius", &flock.body_radius,
-                {"length", "how thick a boid is for whatever it may touch", 0, 1e15, false, "",
-                 "VUW CGRA 354 (S2-25)"});
+                {"length", "how large a boid is to the touch, and for obstacles", 0, 1e15, false,
+                  "touch: d <= sum of the body radii", "CS 184 (S4-14), VUW CGRA 354 (S2-25)"});
+  visitor.items("hunt", {"", "hunt other flocks and eat whom the body touches"},
+                maybe(flock.hunt, visit_hunt));
+  visitor.items("jump", {"", "a burst of speed straight ahead when prey is near"},
+                maybe(flock.jump, visit_jump));
+  visitor.items("hunger", {"", "how long a meal lasts"}, maybe(flock.hunger, visit_hunger));
+  visitor.items("feed", {"", "eat food, of which new boids are born"}, maybe(flock.feed, visit_feed));
 }
 
 void visit_boundary(Boundary& boundary, FieldVisitor& visitor) {
@@ -423,6 +429,10 @@ void visit(ScenarioDef& scenario, FieldVisitor& visitor) {
   Items flocks = list_of(scenario.flocks, visit_flock);
   flocks.name = [&scenario](std::size_t i) { return scenario.flocks[i].name; };
   visitor.items("flock", {"", "a kind of boid"}, flocks);
+  Items food = list_of(scenario.food, visit_food);
+  food.name = [&scenario](std::size_t i) { return scenario.food[i].name; };
+  food.rename = [&scenario](std::size_t i, std::string name) { scenario.food[i].name = std::move(name); };
+  visitor.items("food", {"", "a kind of food"}, food);
 }
 
 }  // namespace sturnus

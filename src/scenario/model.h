@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "scenario/behaviour_model.h"
 
@@ -45,7 +46,9 @@ enum class TermKind {
   flow,
   follow_leader,
   avoid_collisions,
-  queue
+  queue,
+  hunt,
+  feed
 };
 
 /// What a scenario file calls such terms.
@@ -89,6 +92,10 @@ constexpr const char* name_of(TermKind kind) {
       return "avoid_collisions";
     case TermKind::queue:
       return "queue";
+    case TermKind::feed:
+      return "feed";
+    case TermKind::hunt:
+      return "hunt";
   }
   return "";
 }
@@ -115,6 +122,8 @@ constexpr bool sums_neighbours(TermKind kind) {
     case TermKind::follow_leader:
     case TermKind::avoid_collisions:
     case TermKind::queue:
+    case TermKind::hunt:
+    case TermKind::feed:
       return false;
   }
   return false;
@@ -138,6 +147,50 @@ struct TermModel {
   int order = 0;
 };
 
+/// A cone of sight.
+struct SightModel {
+  float distance_squared = 0;  ///< d² < this
+  float cos_half_view = -1;
+  bool sees_all = true;
+};
+
+struct HuntModel {
+  std::uint64_t prey = 0;  ///< a bit for every flock that is hunted
+  SightModel sight;
+  HuntChoice choose = HuntChoice::average;
+  HuntAim aim = HuntAim::heading;
+  float time = 0;
+  float factor = 0;
+  float confusion = 0;
+};
+
+struct JumpModel {
+  float speed = 0;
+  float end_speed = 0;
+  double duration = 0;
+  double cooldown = 0;
+  SightModel trigger;
+};
+
+struct HungerModel {
+  double full_for = 0;
+  double starves_after = infinity;
+};
+
+struct FeedModel {
+  std::uint8_t kind = 0;  ///< of food
+  float radius = 0;
+  SteeringForm form = SteeringForm::heading;
+  std::size_t births = 0;  ///< for each piece
+};
+
+struct FoodModel {
+  float body_radius = 0;
+  double every = 0;  ///< time; 0: never
+  std::size_t count = 0;
+  std::size_t most = 0;  ///< pieces beyond which none comes
+};
+
 struct FlockModel {
   std::vector<NeighbourRow> rows;
   std::vector<TermModel> terms;  ///< in order of priority, then of the file
@@ -152,6 +205,12 @@ struct FlockModel {
   float colour_averaging = 0;
   float colour_noise = 0;
   float body_radius = 0;  ///< length
+  bool is_hunter = false;         ///< also where the hunt is switched off
+  std::optional<HuntModel> hunt;  ///< empty where switched off; so is the jump
+  std::optional<JumpModel> jump;
+  std::optional<HungerModel> hunger;
+  std::optional<FeedModel> feed;
+  std::size_t population_cap = 0;  ///< no births beyond; the count where none are born
 
   static constexpr float infinity_f = std::numeric_limits<float>::infinity();
 };
@@ -181,6 +240,7 @@ struct Model {
   int dimensions = 2;
   std::uint64_t seed = 0;
   float dt = 1;
+  double tick = 1;  ///< dt as it is written, by which clocks run
   Integrator integrator = Integrator::semi_implicit_euler;
   BoundaryKind boundary = BoundaryKind::open;
   std::array<float, 3> min{}, max{}, size{}, margin{};
@@ -199,6 +259,12 @@ struct Model {
   bool uses_colour = false;
   bool is_solid = false;     ///< boids are kept out of obstacles
   float obstacle_reach = 0;  ///< length; how far from a boid a step usually asks for obstacles
+  bool uses_hunger = false;  ///< some flock's life has the clocks of eating
+  bool uses_jump = false;
+  bool uses_focus = false;
+  bool has_hunters = false;
+  bool has_feeders = false;
+  std::vector<FoodModel> food;
 
   bool wraps() const { return boundary == BoundaryKind::wrap; }
 };

@@ -32,6 +32,7 @@ class Objections {
       object("flock",
              say("a shader has at most ", most_shader_boids, " boids, here are ", scenario_.boid_count()));
     }
+    if (!scenario_.food.empty()) object("food", "a shader has no food");
     if (!scenario_.targets.empty()) object("target", "a shader has no targets");
     check_form("pointer.form", scenario_.pointer.form);
     if (scenario_.pointer.repel_radius) object("pointer.repel_radius", "a shader's mouse only attracts");
@@ -51,6 +52,7 @@ class Objections {
 
   void check_flock(const FlockDef& flock) {
     const std::string key = "flock." + flock.name + ".";
+    if (flock.hunt) object(key + "hunt", "nobody hunts or dies in a shader");
     for (const Flee& flee : flock.flee) check_form(key + "flee.form", flee.form);
     if (flock.arbitration != Arbitration::weighted)
       object(key + "arbitration", "a shader adds its terms by weight and knows no other arbitration");

@@ -16,6 +16,26 @@ bool all_sound(const Vec<D>& v) {
   return true;
 }
 
+bool is_jumping(const State& state, const FlockModel& flock, std::size_t i) {
+  return flock.jump && state.life.jump[i] > 0;
+}
+
+// Straight ahead, slowing down evenly until the jump is over.
+template <int D>
+Vec<D> jump_velocity(const JumpModel& jump, double left, const Vec<D>& velocity) {
+  const auto part = static_cast<float>(left < jump.duration ? left / jump.duration : 1.0);
+  return unit(velocity) * (jump.end_speed + (jump.speed - jump.end_speed) * part);
+}
+
+template <int D>
+Vec<D> steered_velocity(Motion<D>& motion, const FlockModel& flock, const Vec<D>& old, std::size_t i) {
+  const Model& model = motion.model;
+  Vec<D> velocity = old + motion.steering.acceleration(i) * model.dt;
+  velocity = limited(velocity, flock.min_speed, flock.max_speed);
+  if (flock.noise_turn == 0) return velocity;
+  return turned_at_random(velocity, flock.noise_turn, motion.state.id[i], {model.seed, motion.state.step});
+}
+
 // Velocity, limits, place, boundary. Who would go bad stays and is put out of play.
 template <int D>
 void move_boid(Motion<D>& motion, std::size_t i) {
@@ -23,11 +43,9 @@ void move_boid(Motion<D>& motion, std::size_t i) {
   const FlockModel& flock = model.flocks[motion.state.flock[i]];
   const auto old_position = at<D>(motion.state.position, i);
   const auto old_velocity = at<D>(motion.state.velocity, i);
-  Vec<D> velocity = old_velocity + motion.steering.acceleration(i) * model.dt;
-  velocity = limited(velocity, flock.min_speed, flock.max_speed);
-  if (flock.noise_turn != 0)
-    velocity =
-        turned_at_random(velocity, flock.noise_turn, motion.state.id[i], {model.seed, motion.state.step});
+  Vec<D> velocity = is_jumping(motion.state, flock, i)
+                        ? jump_velocity(*flock.jump, motion.state.life.jump[i], old_velocity)
+                        : steered_velocity(motion, flock, old_velocity, i);
   const bool semi_implicit = model.integrator == Integrator::semi_implicit_euler;
   Vec<D> position = old_position + (semi_implicit ? velocity : old_velocity) * model.dt;
   const bool was_sound = all_sound(position) && all_sound(velocity);

@@ -299,9 +299,9 @@ HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
   return true;
 }
 
-// Whether lanes can do what a flock does; a random turn and a shared budget are done boid by boid.
+// Whether lanes can do what a flock does; a random turn, a jump and a shared budget are done boid by boid.
 inline bool HasLanes(const FlockModel& flock) {
-  return flock.arbitration == Arbitration::weighted && flock.noise_turn == 0;
+  return flock.arbitration == Arbitration::weighted && flock.noise_turn == 0 && !flock.jump;
 }
 
 template <int D>

@@ -41,6 +41,17 @@ void poison(Scratch& scratch) {
     part.sums.spoil();
   }
   for (Columns& columns : scratch.custom) spoil(columns);
+  scratch.pieces.spoil();
+  spoil(scratch.spare.doubles);
+  spoil(scratch.hunters.slots);
+  spoil(scratch.hunters.pull);
+  spoil(scratch.life.alive);
+  spoil(scratch.life.uneaten);
+  spoil(scratch.life.touches);
+  spoil(scratch.life.eaters);
+  spoil(scratch.life.members);
+  spoil(scratch.life.meals);
+  spoil(scratch.life.meal_flocks);
   for (Columns* columns :
        {&scratch.heading, &scratch.next_colour, &scratch.previous_position, &scratch.previous_velocity}) {
     spoil(*columns);

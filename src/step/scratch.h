@@ -6,6 +6,7 @@
 
 #include "neighbours/kernel.h"
 #include "neighbours/passes.h"
+#include "neighbours/pieces.h"
 #include "world/obstacle_index.h"
 #include "world/state.h"
 
@@ -16,6 +17,22 @@ struct PartScratch {
   KernelScratch kernel;
   SumBlock sums;
   std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
+};
+
+/// Those who hunt, in the order of storage, and where each is pulled.
+struct Hunters {
+  std::vector<std::uint32_t> slots;
+  Columns pull;
+};
+
+/// What births and deaths are worked out in.
+struct LifeScratch {
+  std::vector<std::uint8_t> alive, uneaten;  ///< of boids, of pieces
+  std::vector<std::uint8_t> touches;         ///< of those who may eat
+  std::vector<std::uint32_t> eaters;         ///< slots of those who eat, by id
+  std::vector<std::size_t> members;          ///< of each flock
+  std::vector<std::array<float, 3>> meals;   ///< where a piece was eaten
+  std::vector<std::uint8_t> meal_flocks;     ///< and by whose member
 };
 
 struct Scratch {
@@ -35,6 +52,9 @@ struct Scratch {
   ObstacleIndex obstacles;
   Columns next_colour;
   std::vector<Columns> custom;  ///< what each user rule asks for; empty: nothing
+  Hunters hunters;
+  Pieces pieces;
+  LifeScratch life;
   /// Before the last step, for observers; during a step, where boids go.
   Columns previous_position, previous_velocity;
 };

@@ -7,6 +7,7 @@
 
 #include "base/float_settings.h"
 #include "base/text.h"
+#include "scenario/creatures.h"
 #include "scenario/events.h"
 #include "scenario/obstacles.h"
 #include "step/explain.h"
@@ -170,6 +171,14 @@ const State* table_of(const SimulationOptions& options, const ScenarioDef& scena
                         false});
     return nullptr;
   }
+  for (const std::uint8_t kind : found->second.food.kind) {
+    if (kind < scenario.food.size()) continue;
+    problems.push_back({scenario.file, 0, key,
+                        say("\"", file, "\" holds food of kind ", int{kind}, ", but there are only ",
+                            scenario.food.size(), " kinds of food, numbered from 0"),
+                        false});
+    return nullptr;
+  }
   return &found->second;
 }
 
@@ -188,7 +197,9 @@ Problem no_free_place(const ScenarioDef& scenario, std::size_t flock, std::int64
 }
 
 void check_memory(const ScenarioDef& scenario, Problems& problems) {
-  auto boids = static_cast<double>(scenario.run.initial.empty() ? scenario.boid_count() : 0);
+  double boids = 0;
+  for (const FlockDef& flock : scenario.flocks)
+    boids += static_cast<double>(scenario.run.initial.empty() || flock.feed ? population_cap(flock) : 0);
   std::string key = "flock.count";
   for (const Event& event : scenario.run.events) {
     const auto* add = std::get_if<AddBoids>(&event.command);
@@ -238,8 +249,11 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
       append_boids(scenario, world->model, *some, static_cast<int>(i), world->state);
     }
   }
+  for (std::size_t i = 0; all == nullptr && i < scenario.food.size(); ++i)
+    spawn_food(scenario, world->model, i, static_cast<std::size_t>(scenario.food[i].count), world->state);
   if (!problems.empty()) return problems;
   wrap_positions(world->model, world->state);
+  reserve_for_births(world->model, world->state);
   quarantine(world->model, world->state, world->workers);
   world->do_events();
   return Simulation(std::move(world));
@@ -249,7 +263,8 @@ void Simulation::step() {
   const FloatSettings settings;
   World& world = *world_;
   world.do_events();  // after a restore, those of this very step
-  sturnus::step(world.model, world.scenario, world.state, world.scratch, world.outside, world.workers);
+  sturnus::step(world.model, world.scenario, world.state, world.scratch, world.outside, world.report,
+                world.workers);
   world.outside.external = {};
   world.do_events();
 }

@@ -2,6 +2,8 @@
 // edge.
 #pragma once
 
+#include <algorithm>
+
 #include "rules/rules.h"
 #include "step/step.h"
 #include "world/columns.h"
@@ -87,6 +89,10 @@ class Steering {
         return scratch_.custom[row][0].empty() ? Vec<D>{} : at<D>(scratch_.custom[row], i);
       case TermKind::avoid_obstacles:
         return avoid_obstacles<D>(term, flock, model_, scratch_.obstacles, own);
+      case TermKind::hunt:
+        return hunt(i);
+      case TermKind::feed:
+        return feed(*flock.feed, scratch_.pieces, own, flock.max_speed);
     }
     return {};
   }
@@ -97,6 +103,14 @@ class Steering {
     const Vec<D> next = wandered<D>(term, own, at<D>(state_.wander, i), moment_);
     put(state_.wander, i, next);
     return next;
+  }
+
+  // What was found before anybody moved.
+  Vec<D> hunt(std::size_t i) const {
+    const Hunters& hunters = scratch_.hunters;
+    const auto found = std::lower_bound(hunters.slots.begin(), hunters.slots.end(), i);
+    if (found == hunters.slots.end() || *found != i) return {};
+    return at<D>(hunters.pull, static_cast<std::size_t>(found - hunters.slots.begin()));
   }
 
   const Model& model_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "step/life.h"
 #include "step/watched.h"
 #include "world/columns.h"
 #include "world/state.h"
@@ -109,15 +110,17 @@ void prepare(const Model& model, const ScenarioDef& scenario, State& state, Scra
   find_watched(model, state, scratch);
   scratch.obstacles.fit(model, state.obstacles, model.obstacle_reach);
   ask_outside(scenario, state, scratch, outside, workers);
+  look_around(model, state, scratch, workers);
 }
 
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
-          const Outside& outside, const Workers& workers) {
+          const Outside& outside, StepReport& report, const Workers& workers) {
   {
     const Watched watched(outside.watch, Phase::sort, 0);
     prepare(model, scenario, state, scratch, outside, workers);
   }
   flock(model, state, scratch, outside.watch, workers);
+  live(model, scenario, state, scratch, report, workers);
   ++state.step;
 }
 

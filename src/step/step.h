@@ -6,9 +6,9 @@
 
 namespace sturnus {
 
-/// Moves the state on by one time step.
+/// Moves the state on by one time step; what is worth telling is added to the report.
 void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
-          const Outside& outside, const Workers& workers);
+          const Outside& outside, StepReport& report, const Workers& workers);
 
 /// Puts boids with values that are not finite or beyond 1e15 out of play: at rest, where they last were well.
 void quarantine(const Model& model, State& state, const Workers& workers);
@@ -34,6 +34,8 @@ struct Asked {
 template <int D>
 Asked sum_around(const Model& model, const State& state, Scratch& scratch, std::size_t slot,
                  const Workers& workers);
+/// Finds who hunts and what each sees, and where food lies, for the terms of this step; jumps begin.
+void look_around(const Model& model, State& state, Scratch& scratch, const Workers& workers);
 
 /// Sums over neighbours, accelerations, velocities, places, and the next colours: boids are taken block by
 /// block, so that what was summed is still near when it is used.

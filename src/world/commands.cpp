@@ -31,10 +31,9 @@ Vec<3, double> offset_from(const Coordinates& at, const Model& model, const std:
   return out;
 }
 
-std::array<float, 3> place_in(const State& state, std::size_t i) {
+std::array<float, 3> place_in(const Columns& position, std::size_t i) {
   std::array<float, 3> out{};
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(state.dimensions); ++axis)
-    out[axis] = state.position[axis][i];
+  for (std::size_t axis = 0; axis < 3 && !position[axis].empty(); ++axis) out[axis] = position[axis][i];
   return out;
 }
 
@@ -88,11 +87,22 @@ struct Applier {
     erase_obstacles(model, erase, state);
     std::vector<std::uint8_t> marks(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(erase.at, model, place_in(state, i));
+      const auto o = offset_from(erase.at, model, place_in(state.position, i));
       marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
     }
     keep(state, marks);
+    marks.resize(state.food.size());
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const auto o = offset_from(erase.at, model, place_in(state.food.position, i));
+      marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
+    }
+    keep(state.food, marks);
     return {.has_moved_boids = true};
+  }
+
+  Applied operator()(const AddFood& add) const {
+    spawn_food_around(scenario, model, add, state);
+    return {};
   }
 
   Applied operator()(const MoveBoid& move) const {
@@ -121,13 +131,19 @@ struct Applier {
 
   Applied operator()(const ScatterBoids& scatter) const {
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(scatter.at, model, place_in(state, i));
+      const auto o = offset_from(scatter.at, model, place_in(state.position, i));
       if (dot(o, o) > scatter.radius * scatter.radius || state.quarantined[i] != 0) continue;
       model.dimensions == 3 ? scatter_boid<3>(model, o, state, i) : scatter_boid<2>(model, o, state, i);
     }
     return {};
   }
 };
+
+bool keeps_what_it_should(const Model& model, const State& state) {
+  return !state.wander[0].empty() == model.uses_wander && !state.colour[0].empty() == model.uses_colour &&
+         !state.life.full.empty() == model.uses_hunger && !state.life.jump.empty() == model.uses_jump &&
+         !state.life.focus.empty() == model.uses_focus;
+}
 
 bool changes(const Command& command, std::uint64_t step, ScenarioDef& scenario, Model& model, State& state) {
   if (!change_scenario(command, step, scenario)) return false;
@@ -155,9 +171,7 @@ Applied redo(const Command& command, std::uint64_t step, ScenarioDef& scenario, 
 }
 
 void fit_to_model(const ScenarioDef& scenario, const Model& model, State& state) {
-  const bool keeps_wander = !state.wander[0].empty();
-  const bool keeps_colour = !state.colour[0].empty();
-  if (state.size() > 0 && (keeps_wander != model.uses_wander || keeps_colour != model.uses_colour)) {
+  if (state.size() > 0 && !keeps_what_it_should(model, state)) {
     State old = std::move(state);
     state = State{};
     state.dimensions = old.dimensions;

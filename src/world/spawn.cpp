@@ -115,6 +115,15 @@ void push_sides(const ScenarioDef& scenario, const Model& model, std::size_t flo
     Draws draws(model.seed, state.step, id, Stream::start_colour);
     push(state.colour, start_colour(scenario.flocks[flock].colour, flock, draws));
   }
+  if (model.uses_hunger) {
+    state.life.full.push_back(0);
+    state.life.fasting.push_back(0);
+  }
+  if (model.uses_jump) {
+    state.life.jump.push_back(0);
+    state.life.rest.push_back(0);
+  }
+  if (model.uses_focus) state.life.focus.push_back(nobody);
 }
 
 template <int D>
@@ -209,6 +218,60 @@ void spawn_around_in(const ScenarioDef& scenario, const Model& model, const AddB
   }
 }
 
+// Uniform in the space, or in a ball about the place where the food appears.
+template <int D>
+Vec<D> food_position(const Model& model, const Coordinates& at, double radius, Draws& draws) {
+  if (at.empty()) return in_box(vec_of<D>({}, model.min), vec_of<D>({}, model.max), draws);
+  return vec_of<D>(at, {}) + draws.in_ball<D>() * static_cast<float>(radius);
+}
+
+template <int D>
+void push_food(const Model& model, std::size_t kind, std::uint64_t id, Vec<D> position, State& state) {
+  for (int axis = 0; axis < D; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (model.wraps()) position[axis] = wrapped(position[axis], model.min[i], model.max[i]);
+  }
+  state.food.id.push_back(id);
+  state.food.kind.push_back(static_cast<std::uint8_t>(kind));
+  push(state.food.position, position);
+}
+
+template <int D>
+void spawn_food_in(const Model& model, std::size_t kind, std::size_t count, const Coordinates& at,
+                   double radius, State& state) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t id = state.next_id++;
+    Draws draws(model.seed, state.step, id, Stream::food);
+    push_food<D>(model, kind, id, food_position<D>(model, at, radius, draws), state);
+  }
+}
+
+template <int D>
+void spawn_beside_in(const ScenarioDef& scenario, const Model& model, std::size_t flock, const Vec<D>& place,
+                     float distance, State& state) {
+  const std::uint64_t id = state.next_id++;
+  Draws draws(model.seed, state.step, id, Stream::birth);
+  const Vec<D> position = place + draws.direction<D>() * distance;
+  push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(scenario.flocks[flock].start, draws),
+               state);
+  for (std::size_t axis = 0; model.wraps() && axis < D; ++axis) {
+    float& coordinate = state.position[axis].back();
+    coordinate = wrapped(coordinate, model.min[axis], model.max[axis]);
+  }
+}
+
+void copy_clock(std::vector<double>& to, const std::vector<double>& from, std::size_t i) {
+  if (!from.empty() && !to.empty()) to.back() = from[i];
+}
+
+void copy_life(Life& to, const Life& from, std::size_t i) {
+  copy_clock(to.full, from.full, i);
+  copy_clock(to.fasting, from.fasting, i);
+  copy_clock(to.jump, from.jump, i);
+  copy_clock(to.rest, from.rest, i);
+  if (!from.focus.empty() && !to.focus.empty()) to.focus.back() = from.focus[i];
+}
+
 void copy_back(Columns& to, const Columns& from, std::size_t i) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!from[axis].empty() && !to[axis].empty()) to[axis].back() = from[axis][i];
@@ -231,6 +294,13 @@ void append_boids_in(const ScenarioDef& scenario, const Model& model, const Stat
     state.quarantined.back() = from.quarantined[i];
     copy_back(state.wander, from.wander, i);
     copy_back(state.colour, from.colour, i);
+    copy_life(state.life, from.life, i);
+  }
+  for (std::size_t i = 0; flock < 0 && i < from.food.size(); ++i) {
+    const std::uint64_t id = taken.insert(from.food.id[i]).second ? from.food.id[i] : state.next_id;
+    taken.insert(id);
+    state.next_id = std::max(state.next_id, id + 1);
+    push_food<D>(model, from.food.kind[i], id, at<D>(from.food.position, i), state);
   }
   state.next_id = std::max(state.next_id, from.next_id);
 }
@@ -245,6 +315,38 @@ std::int64_t spawn_flock(const ScenarioDef& scenario, const Model& model, std::s
 void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
   model.dimensions == 3 ? spawn_around_in<3>(scenario, model, add, state)
                         : spawn_around_in<2>(scenario, model, add, state);
+}
+
+void spawn_beside(const ScenarioDef& scenario, const Model& model, std::size_t flock,
+                  const std::array<float, 3>& place, float distance, State& state) {
+  model.dimensions == 3 ? spawn_beside_in<3>(scenario, model, flock, narrow_to<3>(place), distance, state)
+                        : spawn_beside_in<2>(scenario, model, flock, narrow_to<2>(place), distance, state);
+}
+
+void spawn_food(const ScenarioDef& scenario, const Model& model, std::size_t kind, std::size_t count,
+                State& state) {
+  const FoodDef& food = scenario.food[kind];
+  model.dimensions == 3 ? spawn_food_in<3>(model, kind, count, food.at, food.radius, state)
+                        : spawn_food_in<2>(model, kind, count, food.at, food.radius, state);
+}
+
+void spawn_food_around(const ScenarioDef& scenario, const Model& model, const AddFood& add, State& state) {
+  std::size_t kind = 0;
+  while (scenario.food[kind].name != add.food) ++kind;
+  const auto count = static_cast<std::size_t>(add.count);
+  model.dimensions == 3 ? spawn_food_in<3>(model, kind, count, add.at, add.radius, state)
+                        : spawn_food_in<2>(model, kind, count, add.at, add.radius, state);
+}
+
+void reserve_for_births(const Model& model, State& state) {
+  std::size_t most = state.size();
+  std::vector<std::size_t> members(model.flocks.size());
+  for (const std::uint8_t flock : state.flock) ++members[flock];
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const std::size_t cap = model.flocks[i].feed ? model.flocks[i].population_cap : 0;
+    most += cap > members[i] ? cap - members[i] : 0;
+  }
+  if (most > state.size()) reserve(state, most);
 }
 
 void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock,

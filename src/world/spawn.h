@@ -14,8 +14,24 @@ std::int64_t spawn_flock(const ScenarioDef& scenario, const Model& model, std::s
 /// Appends boids around a place as AddBoids says, outside of obstacles where there is such a place.
 void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state);
 
-/// Appends the boids of another state that belong to `flock`; all flocks when it is -1. Ids that are taken
-/// are replaced by new ones; wander and colour are filled in where the other state lacks them.
+/// Appends a boid of the flock that appears at `distance` (length) from a place, in a random direction; its
+/// heading and speed are those of a start.
+void spawn_beside(const ScenarioDef& scenario, const Model& model, std::size_t flock,
+                  const std::array<float, 3>& place, float distance, State& state);
+
+/// Appends `count` pieces of a kind of food, where its definition says.
+void spawn_food(const ScenarioDef& scenario, const Model& model, std::size_t kind, std::size_t count,
+                State& state);
+
+/// Appends pieces of food around a place as AddFood says.
+void spawn_food_around(const ScenarioDef& scenario, const Model& model, const AddFood& add, State& state);
+
+/// Keeps memory for all that births may bring, so that a step need not ask for it.
+void reserve_for_births(const Model& model, State& state);
+
+/// Appends the boids of another state that belong to `flock`; all flocks, and the food, when it is -1. Ids
+/// that are taken are replaced by new ones; wander, colour and clocks are filled in where the other state
+/// lacks them.
 void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock,
                   State& state);
 

@@ -45,6 +45,30 @@ bool is_even(const std::vector<std::uint8_t>& array) {
   return array.size() < 2 || std::memcmp(array.data(), array.data() + 1, array.size() - 1) == 0;
 }
 
+template <class T>
+void keep_in(std::vector<T>& array, const std::vector<std::uint8_t>& marks) {
+  if (array.empty()) return;
+  assert(marks.size() == array.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i] != 0) array[kept++] = array[i];
+  }
+  array.resize(kept);
+}
+
+// Nothing where there is no food.
+std::uint64_t hash_of(const Food& food) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < food.size(); ++i) {
+    std::uint64_t piece = fold(mix(food.id[i] + 1), food.kind[i]);
+    for (const auto& column : food.position) {
+      if (!column.empty()) piece = fold(piece, bits_of(column[i]));
+    }
+    sum += piece;
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::uint64_t hash(const State& state) {
@@ -58,8 +82,13 @@ std::uint64_t hash(const State& state) {
         if (!column.empty()) boid = fold(boid, bits_of(column[i]));
       }
     }
+    for_each_clock(state.life, [&](const std::vector<double>& clock) {
+      if (!clock.empty()) boid = fold(boid, bits_of(clock[i]));
+    });
+    if (!state.life.focus.empty()) boid = fold(boid, state.life.focus[i]);
     sum += boid;
   }
+  sum += hash_of(state.food);
   std::uint64_t rest =
       fold(fold(fold(0, state.step), state.next_id), static_cast<std::uint64_t>(state.dimensions));
   rest = fold(rest, static_cast<std::uint64_t>(state.pointer.mode) * 2 + (state.pointer.pressed ? 1 : 0));
@@ -73,6 +102,9 @@ void reorder(State& state, const std::vector<std::uint32_t>& order, Spare& spare
   if (!is_even(state.quarantined)) permute(state.quarantined, order, spare.bytes, workers);
   for (Columns* columns : {&state.position, &state.velocity, &state.wander, &state.colour})
     reorder(*columns, order, spare.floats, workers);
+  for_each_clock(state.life,
+                 [&](std::vector<double>& clock) { permute(clock, order, spare.doubles, workers); });
+  permute(state.life.focus, order, spare.ids, workers);
 }
 
 void reorder(Columns& columns, const std::vector<std::uint32_t>& order, std::vector<float>& spare,
@@ -81,15 +113,17 @@ void reorder(Columns& columns, const std::vector<std::uint32_t>& order, std::vec
 }
 
 void keep(State& state, const std::vector<std::uint8_t>& marks) {
-  for_each_array(state, [&](auto& array) {
-    if (array.empty()) return;
-    assert(marks.size() == array.size());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-      if (marks[i] != 0) array[kept++] = array[i];
-    }
-    array.resize(kept);
-  });
+  for_each_array(state, [&](auto& array) { keep_in(array, marks); });
+}
+
+void keep(Columns& columns, const std::vector<std::uint8_t>& marks) {
+  for (auto& column : columns) keep_in(column, marks);
+}
+
+void keep(Food& food, const std::vector<std::uint8_t>& marks) {
+  keep_in(food.id, marks);
+  keep_in(food.kind, marks);
+  keep(food.position, marks);
 }
 
 float wrapped_from_outside(float coordinate, float min, float max) {

@@ -9,6 +9,12 @@
 
 namespace sturnus {
 
+/// Calls f(array) for every clock of the boids' lives.
+template <class AnyLife, class F>
+void for_each_clock(AnyLife& life, F&& f) {
+  for (auto* clock : {&life.full, &life.fasting, &life.jump, &life.rest}) f(*clock);
+}
+
 /// Calls f(array) for every per-boid array, of whatever type.
 template <class AnyState, class F>
 void for_each_array(AnyState& state, F&& f) {
@@ -18,6 +24,8 @@ void for_each_array(AnyState& state, F&& f) {
   for (auto* columns : {&state.position, &state.velocity, &state.wander, &state.colour}) {
     for (auto& column : *columns) f(column);
   }
+  for_each_clock(state.life, f);
+  f(state.life.focus);
 }
 
 /// Wrapped sum over all boids of a mix of their values, plus the rest: covers every array and does not depend
@@ -29,6 +37,7 @@ struct Spare {
   std::vector<std::uint64_t> ids;
   std::vector<std::uint8_t> bytes;
   std::vector<float> floats;
+  std::vector<double> doubles;
 };
 
 /// Puts boid order[i] at place i. `order` is a permutation, or empty for "as it is".
@@ -39,6 +48,8 @@ void reorder(Columns& columns, const std::vector<std::uint32_t>& order, std::vec
 
 /// Keeps the boids whose mark is not 0, in their order.
 void keep(State& state, const std::vector<std::uint8_t>& marks);
+void keep(Columns& columns, const std::vector<std::uint8_t>& marks);
+void keep(Food& food, const std::vector<std::uint8_t>& marks);
 
 /// Whether some boid is out of play.
 bool is_any_hidden(const State& state);

@@ -28,12 +28,18 @@ State full_state(int dimensions, std::size_t count) {
       const std::size_t used = columns == &state.colour ? 3 : static_cast<std::size_t>(dimensions);
       for (std::size_t axis = 0; axis < used; ++axis) (*columns)[axis].push_back(value += 1.5f);
     }
+    double clock = static_cast<double>(i) + 0.125;
+    for_each_clock(state.life, [&](std::vector<double>& column) { column.push_back(clock += 2.5); });
+    state.life.focus.push_back(11 * i + 5);
   }
   return state;
 }
 
 void flip(float& value, int bit) {
   value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ (1u << bit));
+}
+void flip(double& value, int bit) {
+  value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ (std::uint64_t{1} << bit));
 }
 template <class T>
 void flip(T& value, int bit) {
@@ -55,7 +61,7 @@ TEST(StateHash, EveryBitOfEveryArrayCounts) {
         }
       }
     });
-    EXPECT_EQ(arrays, 3 + 3 * dimensions + 3);
+    EXPECT_EQ(arrays, 3 + 3 * dimensions + 3 + 5);
     EXPECT_EQ(hash(state), before);
   }
 }
@@ -83,6 +89,24 @@ TEST(StateHash, TheRestOfTheStateCounts) {
   EXPECT_TRUE(changed([](State& other) { std::swap(other.id[0], other.id[1]); }));
 }
 
+TEST(StateHash, FoodCountsInWhateverOrderItLies) {
+  State state = full_state(2, 3);
+  const std::uint64_t without = hash(state);
+  state.food = {{500, 501}, {0, 1}, {{{1, 2}, {3, 4}, {}}}};
+  const std::uint64_t with = hash(state);
+  EXPECT_NE(with, without);
+  State other = state;
+  other.food = {{501, 500}, {1, 0}, {{{2, 1}, {4, 3}, {}}}};
+  EXPECT_EQ(hash(other), with);
+  for (const auto change : {0, 1, 2, 3}) {
+    other = state;
+    if (change == 0) other.food.id[1] = 502;
+    if (change == 1) other.food.kind[1] = 0;
+    if (change >= 2) other.food.position[static_cast<std::size_t>(change) - 2][1] += 1;
+    EXPECT_NE(hash(other), with) << change;
+  }
+}
+
 RC_GTEST_PROP(StateHash, DoesNotDependOnTheOrderOfStorage, ()) {
   State state = full_state(*rc::gen::inRange(2, 4), *rc::gen::inRange<std::size_t>(0, 40));
   const std::uint64_t before = hash(state);
@@ -102,6 +126,8 @@ TEST(Reorder, PutsEveryArrayInTheSameOrder) {
   EXPECT_EQ(state.id, (std::vector<std::uint64_t>{17, 3, 24, 10}));
   EXPECT_EQ(state.velocity[2][0], before.velocity[2][2]);
   EXPECT_EQ(state.colour[1][3], before.colour[1][1]);
+  EXPECT_EQ(state.life.fasting[2], before.life.fasting[3]);
+  EXPECT_EQ(state.life.focus[0], before.life.focus[2]);
   reorder(state, {}, spare, Workers(1));
   EXPECT_EQ(state.id.front(), 17u);
 }
