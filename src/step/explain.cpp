@@ -74,7 +74,7 @@ class Explainer {
 
   Explanation run() {
     describe();
-    Steering<D> steering(model_, state_, scratch_, sums());
+    Steering<D> steering(model_, state_, scratch_, scratch_.parts.front());
     Vec<D> sum;
     const Vec<D> acceleration =
         steering.acceleration(slot_, [&](const TermModel& term, const Vec<D>& felt, const Vec<D>& granted) {
