@@ -7,6 +7,7 @@
 
 #include <sturnus/result.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -266,6 +267,19 @@ struct ObstacleDef {
   std::optional<RandomObstacles> random;
 };
 
+enum class ObstacleKind : std::uint8_t { sphere, box, plane };
+
+/// One obstacle as it stands in a run. In two dimensions a sphere is a circle, and a third number is 0.
+struct Obstacle {
+  ObstacleKind kind = ObstacleKind::sphere;
+  std::array<float, 3> at{};      ///< length; sphere and box: the centre, plane: a point of it
+  float radius = 0;               ///< sphere: length
+  std::array<float, 3> half{};    ///< box: half of its sides, length
+  std::array<float, 3> normal{};  ///< plane: unit vector out of the solid side
+
+  friend bool operator==(const Obstacle&, const Obstacle&) = default;
+};
+
 struct Time {
   double dt = 1.0;  ///< time units in a step
   Integrator integrator = Integrator::semi_implicit_euler;
@@ -303,8 +317,8 @@ struct AddBoids {
   Coordinates at;
   double radius = 0.0;
 };
-/// Remove every boid, target and obstacle within `radius` (length) of a place; of an obstacle its centre counts,
-/// and planes stay.
+/// Remove every boid, target and obstacle within `radius` (length) of a place; of an obstacle its centre
+/// counts, and planes stay.
 struct EraseBoids {
   Coordinates at;
   double radius = 0.0;
