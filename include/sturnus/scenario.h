@@ -8,6 +8,7 @@
 #include <sturnus/behaviours.h>
 #include <sturnus/result.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -346,6 +347,19 @@ struct ObstacleDef {
   std::vector<Coordinates> boxes;    ///< lower and upper corner: [x, y, X, Y] or [x, y, z, X, Y, Z], lengths
   std::vector<Coordinates> planes;   ///< a point of it, length, and a normal of any length; solid behind it
   std::optional<RandomObstacles> random;
+};
+
+enum class ObstacleKind : std::uint8_t { sphere, box, plane };
+
+/// One obstacle as it stands in a run. In two dimensions a sphere is a circle, and a third number is 0.
+struct Obstacle {
+  ObstacleKind kind = ObstacleKind::sphere;
+  std::array<float, 3> at{};      ///< length; sphere and box: the centre, plane: a point of it
+  float radius = 0;               ///< sphere: length
+  std::array<float, 3> half{};    ///< box: half of its sides, length
+  std::array<float, 3> normal{};  ///< plane: unit vector out of the solid side
+
+  friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
 struct Time {

@@ -24,19 +24,6 @@ struct PointerState {
   std::array<float, 3> at{};  ///< length
 };
 
-enum class ObstacleKind : std::uint8_t { sphere, box, plane };
-
-/// Something in the way. In two dimensions a sphere is a circle, and a third number is 0.
-struct Obstacle {
-  ObstacleKind kind = ObstacleKind::sphere;
-  std::array<float, 3> at{};      ///< length; sphere and box: the centre, plane: a point of it
-  float radius = 0;               ///< sphere: length
-  std::array<float, 3> half{};    ///< box: half of its sides, length
-  std::array<float, 3> normal{};  ///< plane: unit vector out of the solid side
-
-  friend bool operator==(const Obstacle&, const Obstacle&) = default;
-};
-
 /// No boid's id.
 inline constexpr std::uint64_t nobody = ~std::uint64_t{0};
 

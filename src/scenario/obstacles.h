@@ -1,7 +1,7 @@
 // Obstacles from their definitions, back to definitions, and what can be wrong with them.
 #pragma once
 
-#include <sturnus/view.h>
+#include <sturnus/scenario.h>
 
 namespace sturnus {
 

@@ -155,6 +155,8 @@ std::vector<std::string> candidates(const ParameterRow& row) {
   if (row.kind == "text") out.insert(out.end(), {"\"#102030\"", "\"fish\""});
   if (row.kind == "list of texts") out.insert(out.end(), {"[\"a\", \"b\"]", "[\"boids\"]"});
   if (is_list_of_numbers(row)) out.insert(out.end(), {"[0.25, 0.75]", "[1, 2, 3]"});
+  if (row.kind == "list of lists of numbers")
+    out.insert(out.end(), {"[[1, 2, 3]]", "[[1, 2, 3, 4], [5, 6, 7, 8]]"});
   if (row.kind == "number or [inner, outer]") out.insert(out.end(), {"7", "[2, 5]"});
   if (row.kind.starts_with("\"own\"")) out.insert(out.end(), {"\"own\"", "\"all\"", "[\"boids\"]"});
   for (std::size_t at = 0; row.kind.starts_with("\"") && at < row.kind.size();) {
@@ -188,6 +190,8 @@ TEST(EveryParameter, IsPrintedAndReadBack) {
     for (const std::string& value : candidates(row)) {
       ScenarioDef scenario = scenario_for(row);
       if (row.path.starts_with("flock.NAME.flee.")) set(scenario, "flock.boids.flee.from", "[boids]");
+      // A wrapped space has no planes.
+      if (row.path == "obstacle.planes") set(scenario, "space.boundary", "open");
       if (!set_parameter(scenario, path_of(row), parse_value(value)) || value == row.value) continue;
       if (has_errors(check(scenario))) continue;
       const Result<ScenarioDef> read = parse_scenario(to_toml(scenario), file);
