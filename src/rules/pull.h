@@ -1,8 +1,6 @@
 // What one place makes a boid feel, by the form of steering; for targets and the pointer.
 #pragma once
 
-#include <algorithm>
-
 #include "rules/self.h"
 
 namespace sturnus {
@@ -24,11 +22,8 @@ Vec<D> pull_of(const Pull& pull, const Vec<D>& o, const Self<D>& self, float max
       return narrow_to<D>(seek(widened(o), widened(self.velocity), max_speed));
     case SteeringForm::linear:
       return o;
-    case SteeringForm::arrive: {
-      const float far = length(o);
-      const float share = far < pull.slowing ? far / pull.slowing : 1.0f;
-      return narrow_to<D>(seek(widened(o), widened(self.velocity), max_speed * share));
-    }
+    case SteeringForm::arrive:
+      return narrow_to<D>(arrive(widened(o), widened(self.velocity), max_speed, pull.slowing));
     case SteeringForm::orbit:
       return unit(o) * max_speed;
   }
