@@ -155,8 +155,9 @@ std::string largest_line(const char* what, const Largest& largest) {
   if (largest.error < 0) return {};
   const std::string line = format("largest error in %s: ", what);
   if (largest.error == 0) return line + "0\n";
-  return line + sturnus::number_text(largest.error) +
-         format(" (boid %llu, ", static_cast<unsigned long long>(largest.id)) + largest.cell.text() + ")\n";
+  // Nine digits are all that a float has.
+  return line + format("%.9g (boid %llu, ", largest.error, static_cast<unsigned long long>(largest.id)) +
+         largest.cell.text() + ")\n";
 }
 
 std::string only_line(const std::string& file, const std::vector<std::uint64_t>& ids) {

@@ -33,10 +33,10 @@ Vec<3> vec_of(const Coordinates& at, const Vec<3>& otherwise) {
 }
 
 // Of the longest arrow: a good part of the picture, whatever the numbers.
-float arrow_length(const Framing& frame, int dimensions) {
+float arrow_length(const Framing& frame, int dimensions, bool is_near) {
   float side = frame.high[0] - frame.low[0];
   for (int axis = 1; axis < dimensions; ++axis) side = std::min(side, frame.high[axis] - frame.low[axis]);
-  return 0.2f * side;
+  return (is_near ? 0.3f : 0.2f) * side;
 }
 
 // `is_near`: the frame is what one boid sees, and not for the scenario's camera to choose.
@@ -110,7 +110,8 @@ Image Renderer::frame(const Simulation& simulation) {
   if (options.index) scene.index_boxes = simulation.index_boxes();
   if (options.trails) parts_->trails.add_to(view, of_scene, list);
   make_scene(view, of_scene, scene, list);
-  if (told) add_vectors(view, *told, of_scene, arrow_length(frame, view.dimensions()), list);
+  if (told)
+    add_vectors(view, *told, of_scene, arrow_length(frame, view.dimensions(), near.has_value()), list);
   if (told && !near) add_halo(view, *told, of_scene, list);
   if (told && options.caption) add_legend(*told, of_scene, list);
   return draw(list, viewpoint_of(view, frame, options.picture.size, near.has_value()), colours,

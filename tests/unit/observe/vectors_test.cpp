@@ -61,7 +61,7 @@ TEST(Vectors, ArrowsStartAtTheBoidAndKeepTheirProportions) {
   }
   EXPECT_NEAR(longest, 60, 1e-3);
   // Separation -(0, 5)/25; cohesion 0.1 of the mean of (0, 5) and (-20, 0).
-  const double scale = 60 / std::hypot(1.0, 0.05);
+  const double scale = 60 / std::hypot(1.0, 0.25);  // cohesion is the longest
   const Vec<3> separation = picture.list.arrows[1].to - picture.list.arrows[1].from;
   EXPECT_NEAR(separation[1], -0.2 * scale, 1e-3);
   const Vec<3> cohesion = picture.list.arrows[2].to - picture.list.arrows[2].from;
