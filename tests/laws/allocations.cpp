@@ -81,7 +81,7 @@ const std::vector<Case> cases = {
     {"ObstaclesAllRound", "cs184-bordered", {}},
     {"BirthsAndDeaths",
      "sharks-and-fish",
-     {{"flock.fish.feed.population_cap", "320"}, {"food.plankton.random.every", "5"}}},
+     {{"flock.fish.feed.population_cap", "305"}, {"food.plankton.random.every", "5"}}},
 };
 
 std::size_t allocations_of_a_step(const Case& one, int threads) {

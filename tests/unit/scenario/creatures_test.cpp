@@ -15,7 +15,8 @@ std::string sea(const std::string& sharks, const std::string& more = "") {
 /// All sentences about a file, warnings too.
 std::string told(const std::string& text) {
   Problems problems;
-  parse_scenario(text, "sea.toml", &problems);
+  const bool is_taken = static_cast<bool>(parse_scenario(text, "sea.toml", &problems));
+  EXPECT_EQ(is_taken, !has_errors(problems));
   std::string out;
   for (const Problem& problem : problems) out += problem.key + ": " + problem.text + "\n";
   return out;

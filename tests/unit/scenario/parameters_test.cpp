@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* file = "test.toml";
 
-/// The list of named tables that a row belongs to, "flock" or "target"; empty for none.
+/// The list of named tables that a row belongs to, "flock", "target" or "food"; empty for none.
 std::string list_of(const ParameterRow& row) {
   const auto name = row.path.find(".NAME.");
   return name == std::string::npos ? "" : row.path.substr(0, name);
@@ -35,6 +35,7 @@ std::string path_of(const ParameterRow& row) {
 std::string path_in(const ScenarioDef& scenario, const ParameterRow& row) {
   if (row.path == "flock.NAME.name") return "flock." + scenario.flocks.front().name + ".name";
   if (row.path == "target.NAME.name") return "target." + scenario.targets.front().name + ".name";
+  if (row.path == "food.NAME.name") return "food." + scenario.food.front().name + ".name";
   return path_of(row);
 }
 
@@ -49,9 +50,24 @@ int line_of(const ParameterRow& row) {
   return list_of(row).empty() ? 1 : 2;
 }
 
+/// Gives a flock of hunters its prey, or one that feeds its food; both are called "fish".
+void add_creatures(const ParameterRow& row, ScenarioDef& scenario) {
+  if (row.path.starts_with("food.")) scenario.food.emplace_back();
+  const bool feeds = row.path.starts_with("flock.NAME.feed.");
+  bool hunts = false;
+  for (const char* key : {"hunt.", "jump.", "hunger."})
+    hunts = hunts || row.path.starts_with(std::string("flock.NAME.") + key);
+  if (!feeds && !hunts) return;
+  scenario.flocks.emplace_back().name = "fish";
+  scenario.food.emplace_back().name = "fish";
+  if (feeds) set(scenario, "flock.boids.feed.on", "fish");
+  if (hunts) set(scenario, "flock.boids.hunt.prey", "[fish]");
+}
+
 /// A scenario that has the row's table.
 ScenarioDef scenario_for(const ParameterRow& row) {
   ScenarioDef scenario;
+  add_creatures(row, scenario);
   if (list_of(row) != "target") return scenario;
   scenario.targets.emplace_back();
   scenario.targets.front().name = "target";
@@ -153,7 +169,7 @@ std::vector<std::string> candidates(const ParameterRow& row) {
   if (row.kind == "true or false") out.insert(out.end(), {"true", "false"});
   if (is_number(row)) out.insert(out.end(), {"1", "0.5", "3", "30", "0.001"});
   if (row.kind == "text") out.insert(out.end(), {"\"#102030\"", "\"fish\""});
-  if (row.kind == "list of texts") out.insert(out.end(), {"[\"a\", \"b\"]", "[\"boids\"]"});
+  if (row.kind == "list of texts") out.insert(out.end(), {"[\"a\", \"b\"]", "[\"boids\"]", "[\"fish\"]"});
   if (is_list_of_numbers(row)) out.insert(out.end(), {"[0.25, 0.75]", "[1, 2, 3]"});
   if (row.kind == "list of lists of numbers")
     out.insert(out.end(), {"[[1, 2, 3]]", "[[1, 2, 3, 4], [5, 6, 7, 8]]"});
