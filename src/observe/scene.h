@@ -18,11 +18,11 @@ struct SceneColours {
   Rgba outline, surface, text, accent;
   Rgba attractor, repeller, obstacle;
   std::array<Rgba, 7> terms{};  ///< separation, alignment, cohesion, then whatever else is felt
-  Rgba food;
-  Rgba full;     ///< a hunter after a meal
-  Rgba starved;  ///< what a hunter pales to
-  Rgba ready;    ///< the tail of one that can jump
-  Rgba tired;    ///< and of one that can't
+  Rgba food{};
+  Rgba full{};     ///< a hunter after a meal
+  Rgba starved{};  ///< what a hunter pales to
+  Rgba ready{};    ///< the tail of one that can jump
+  Rgba tired{};    ///< and of one that can't
 };
 
 /// What besides the boids is put into a scene.
