@@ -283,7 +283,7 @@ void add_render(CLI::App& app, Request& request) {
   command->add_flag("--trails", options->trails, "Draw where each boid was");
   command
       ->add_option("--show", options->show,
-                   "Draw the neighbour index's boxes, an arrow along each velocity, or what one boid feels")
+                   "Draw the index's boxes, an arrow along each velocity, or what one boid feels")
       ->type_name("index|velocities|vectors")
       ->allow_extra_args(false)
       ->check(one_of({"index", "velocities", "vectors"}));
