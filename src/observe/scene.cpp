@@ -140,12 +140,14 @@ void add_caption(const View& view, const SceneColours& colours, DrawList& list) 
   title.colour = colours.text;
   list.labels.push_back(title);
   Label state = title;
-  const std::size_t food = view.state().food.size();
-  state.text = say(view.size(), " boids · ", food, " food · step ", view.step());
-  if (scenario.food.empty()) state.text = say(view.size(), " boids · step ", view.step());
+  state.text = say(view.size(), " boids · step ", view.step());
   state.offset_y = 56;
   state.size = 13;
   state.colour = with_alpha(colours.text, 0.65f);
+  list.labels.push_back(state);
+  if (scenario.food.empty()) return;
+  state.text = say(view.state().food.size(), " food");
+  state.offset_y = 74;
   list.labels.push_back(state);
 }
 

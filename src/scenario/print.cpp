@@ -60,7 +60,7 @@ class TomlPrinter : public FieldVisitor {
     }
     if (items.name || items.has_header) return;
     if (texts.empty() && key != "separation" && key != "alignment" && key != "cohesion") return;
-    const int order = texts.empty() || !items.order ? 0 : *items.order(0);
+    const int order = !items.order ? -1 : texts.empty() ? 0 : *items.order(0);
     entries_.push_back({order, std::string(key), texts.size() == 1 ? texts.front() : list_text(texts)});
   }
 

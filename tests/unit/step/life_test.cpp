@@ -85,6 +85,34 @@ TEST(Eating, EachTakesTheNearestAndTheNextTakesWhatIsLeft) {
   EXPECT_EQ(ids_of(world), (std::set<std::uint64_t>{0, 1, 3}));
 }
 
+// In storage the ids run backwards, which must not matter.
+TEST(Eating, GoesByIdsAndNotByTheOrderOfStorage) {
+  ScenarioDef scenario = still_world();
+  scenario.flocks[0].hunger = Hunger{.full_for = 50};
+  State tied = state_of(2, {{{2, 0}, {0, 0}, 1}, {{0, 2}, {0, 0}, 1}, {{0, 0}, {0, 0}, 0}});
+  tied.id = {2, 1, 0};
+  Simulation one_of_two = world_from(scenario, tied);
+  one_of_two.step();
+  EXPECT_EQ(ids_of(one_of_two), (std::set<std::uint64_t>{0, 2}));
+  State rivals = state_of(2, {{{1, 0}, {0, 0}, 0}, {{0, 0}, {0, 0}, 1}, {{-3, 0}, {0, 0}, 0}});
+  rivals.id = {2, 1, 0};
+  Simulation two_at_one = world_from(scenario, rivals);
+  two_at_one.step();
+  EXPECT_GT(clock_of(two_at_one, &Life::full, 0), 0);
+  EXPECT_EQ(clock_of(two_at_one, &Life::full, 2), 0);
+}
+
+TEST(Eating, TheLastStepOfTheOthersIsStillKnown) {
+  Simulation world =
+      world_of(still_world(),
+               {{{1, 0}, {0, 0}, 1}, {{0, 0}, {0, 0}, 0}, {{300, 0}, {2, 3}, 1}, {{400, 0}, {1, 0}, 1}});
+  world.step();
+  ASSERT_EQ(ids_of(world), (std::set<std::uint64_t>{1, 2, 3}));
+  ASSERT_TRUE(world.view().has_previous());
+  EXPECT_EQ(world.view().previous_position(world.view().slot(2).value()), (Point{300, 0, 0}));
+  EXPECT_EQ(world.view().previous_velocity(world.view().slot(3).value()), (Point{1, 0, 0}));
+}
+
 TEST(Eating, AHunterThatIsEatenEatsNobody) {
   ScenarioDef scenario = still_world();
   scenario.flocks.push_back(scenario.flocks[1]);
