@@ -125,7 +125,8 @@ std::string bearing_text(const Explanation& e, const ExplainedNeighbour& neighbo
 std::string neighbour_table(const Explanation& e, const sturnus::ScenarioDef& scenario, std::size_t most) {
   const std::size_t shown = std::min(most, e.neighbours.size());
   if (e.neighbours.empty()) return "\nNo neighbour counts for any term.\n";
-  std::string out = "\n" + counted(e.neighbours.size(), "neighbour");
+  std::string out = "\n";
+  out += counted(e.neighbours.size(), "neighbour");
   if (shown < e.neighbours.size()) out += ", the nearest " + std::to_string(shown);
   std::vector<Row> rows = {{"boid", "flock", "distance", "from heading", "counts for"}};
   for (std::size_t i = 0; i < shown; ++i) {
