@@ -1,29 +1,33 @@
 // Hunt: turn toward prey (CS 184), or go at full speed where it will be (VUW: pursuit and interception).
-#include "rules/pursuit.h"
 #include "rules/rules.h"
 
 namespace sturnus {
 
-template <int D>
-Vec<D> aimed(const HuntModel& hunt, const Vec<D>& offset, const Vec<D>& prey_velocity, float max_speed) {
-  double ahead = 0;
+namespace {
+
+// How far ahead a hunter looks.
+float time_ahead(const HuntModel& hunt, const Vector& offset, const Vector& prey_velocity, float max_speed) {
   switch (hunt.aim) {
     case HuntAim::heading:
     case HuntAim::seek:
-      break;
+      return 0;
     case HuntAim::constant:
-      ahead = double{hunt.time};
-      break;
+      return hunt.time;
     case HuntAim::distance:
-      ahead = double{hunt.factor * length(offset)};
-      break;
+      return prediction_time(Prediction::distance, hunt.factor, offset, prey_velocity, max_speed);
     case HuntAim::intercept:
-      ahead = time_to_catch(offset, prey_velocity, double{max_speed}, double{hunt.factor * length(offset)});
-      break;
+      return prediction_time(Prediction::intercept, hunt.factor, offset, prey_velocity, max_speed);
   }
+  return 0;
+}
+
+}  // namespace
+
+template <int D>
+Vec<D> aimed(const HuntModel& hunt, const Vec<D>& offset, const Vec<D>& prey_velocity, float max_speed) {
+  const float ahead = time_ahead(hunt, widened(offset), widened(prey_velocity), max_speed);
   // A catch in the far future lies straight along the prey's way, however far.
-  const auto time = static_cast<float>(ahead < 1e6 ? ahead : 1e6);
-  return unit(offset + prey_velocity * time);
+  return unit(offset + prey_velocity * (ahead < 1e6f ? ahead : 1e6f));
 }
 
 template <int D>

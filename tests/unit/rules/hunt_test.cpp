@@ -1,10 +1,8 @@
-// The hunt as a term: averages, focus, the five aims, and interception against an independent solution.
+// The hunt as a term: averages, focus, the five aims; interception itself is tested with pursuit.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <map>
 
-#include "rules/pursuit.h"
 #include "support.h"
 
 namespace sturnus::test {
@@ -81,30 +79,6 @@ TEST(Hunt, EveryAimForeseesThePreyInItsOwnWay) {
     EXPECT_NEAR(felt[0], wanted[0], 2e-5) << static_cast<int>(aim);
     EXPECT_NEAR(felt[1], wanted[1], 2e-5) << static_cast<int>(aim);
   }
-}
-
-RC_GTEST_PROP(Interception, MeetsThePreyAtTheFirstMomentPossible, ()) {
-  const auto number = [](int low, int high) { return 0.01 * *rc::gen::inRange(100 * low, 100 * high); };
-  const Vec<2> o{{static_cast<float>(number(-50, 50)), static_cast<float>(number(-50, 50))}};
-  const Vec<2> v{{static_cast<float>(number(-9, 9)), static_cast<float>(number(-9, 9))}};
-  const double s = number(1, 9);
-  const double time = time_to_catch(o, v, s, -1);
-  const auto gap = [&](double t) {  // above 0 where the prey is farther than the pursuer gets
-    return std::hypot(double{o[0]} + double{v[0]} * t, double{o[1]} + double{v[1]} * t) - s * t;
-  };
-  // Whoever is ahead of the pursuer's circle in all small steps has not been met before.
-  const double end = time < 0 ? 400 : time;
-  RC_PRE(std::hypot(double{o[0]}, double{o[1]}) > 0.01);
-  if (time >= 0) RC_ASSERT(std::abs(gap(time)) < 1e-6 * (1 + s * time));
-  for (int i = 0; i < 400; ++i) RC_ASSERT(gap(end * i / 400.0) > -1e-6 * (1 + s * end));
-}
-
-TEST(Interception, AtEqualSpeedsTheEquationIsLinear) {
-  // Head on at equal speeds they meet half way; who flees straight away is never caught.
-  EXPECT_NEAR(time_to_catch(Vec<2>{{12, 0}}, Vec<2>{{-3, 0}}, 3, -1), 2, 1e-12);
-  EXPECT_EQ(time_to_catch(Vec<2>{{12, 0}}, Vec<2>{{3, 0}}, 3, -7), -7);
-  EXPECT_EQ(time_to_catch(Vec<2>{{12, 0}}, Vec<2>{{0, 0}}, 0, -7), -7);
-  EXPECT_EQ(time_to_catch(Vec<2>{}, Vec<2>{{1, 0}}, 3, -7), 0);
 }
 
 /// Whom boid 0 has in focus.

@@ -168,11 +168,13 @@ std::vector<std::string> candidates(const ParameterRow& row) {
   if (!row.value.empty()) out.push_back(row.value);
   if (row.kind == "true or false") out.insert(out.end(), {"true", "false"});
   if (is_number(row)) out.insert(out.end(), {"1", "0.5", "3", "30", "0.001"});
-  if (row.kind == "text") out.insert(out.end(), {"\"#102030\"", "\"fish\""});
-  if (row.kind == "list of texts") out.insert(out.end(), {"[\"a\", \"b\"]", "[\"boids\"]", "[\"fish\"]"});
+  if (row.kind == "text") out.insert(out.end(), {"\"#102030\"", "\"fish\"", "\"boids\""});
+  if (row.kind == "list of texts")
+    out.insert(out.end(), {"[\"a\", \"b\"]", "[\"boids\"]", "[\"boids\", \"boids\"]", "[\"fish\"]"});
   if (is_list_of_numbers(row)) out.insert(out.end(), {"[0.25, 0.75]", "[1, 2, 3]"});
   if (row.kind == "list of lists of numbers")
-    out.insert(out.end(), {"[[1, 2, 3]]", "[[1, 2, 3, 4], [5, 6, 7, 8]]"});
+    out.insert(out.end(), {"[[1, 2, 3]]", "[[1, 2, 3, 4], [5, 6, 7, 8]]", "[[1, 2], [3, 4]]",
+                           "[[5, 6], [7, 8], [9, 1]]"});
   if (row.kind == "number or [inner, outer]") out.insert(out.end(), {"7", "[2, 5]"});
   if (row.kind.starts_with("\"own\"")) out.insert(out.end(), {"\"own\"", "\"all\"", "[\"boids\"]"});
   for (std::size_t at = 0; row.kind.starts_with("\"") && at < row.kind.size();) {
@@ -199,12 +201,26 @@ TEST(EveryParameter, CanBeSetAndShownByItsPath) {
   }
 }
 
+// A behaviour needs somebody to look at, of whom there are not too many, or a line.
+void complete_behaviour(const ParameterRow& row, ScenarioDef& scenario) {
+  const auto is_of = [&](const char* table) {
+    return row.path.starts_with(std::string("flock.NAME.") + table + ".");
+  };
+  if (is_of("pursue") || is_of("evade") || is_of("follow_leader")) scenario.flocks.front().count = 100;
+  if (is_of("pursue")) set(scenario, "flock.boids.pursue.of", "[boids]");
+  if (is_of("evade")) set(scenario, "flock.boids.evade.of", "[boids]");
+  if (is_of("follow_leader")) set(scenario, "flock.boids.follow_leader.leader", "boids");
+  if (is_of("follow_path")) set(scenario, "flock.boids.follow_path.points", "[[0, 0], [1, 1]]");
+  if (is_of("follow_wall")) set(scenario, "flock.boids.follow_wall.points", "[[0, 0], [1, 1]]");
+}
+
 TEST(EveryParameter, IsPrintedAndReadBack) {
   std::set<std::string> never;
   for (const ParameterRow& row : parameter_rows()) {
     bool printed = false;
     for (const std::string& value : candidates(row)) {
       ScenarioDef scenario = scenario_for(row);
+      complete_behaviour(row, scenario);
       if (row.path.starts_with("flock.NAME.flee.")) set(scenario, "flock.boids.flee.from", "[boids]");
       // A wrapped space has no planes.
       if (row.path == "obstacle.planes") set(scenario, "space.boundary", "open");
