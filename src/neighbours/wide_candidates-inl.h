@@ -116,7 +116,7 @@ HWY_INLINE void FillFilters(const WideBatch& batch, std::size_t first, Filters& 
 
 template <int D>
 HWY_INLINE Lanes_mask PassesFilter(const Filters& filters, std::size_t f, const Targets<D>& targets,
-                             const Seen<D>& seen, const Boids& boids, std::size_t candidate) {
+                                   const Seen<D>& seen, const Boids& boids, std::size_t candidate) {
   const Floats d;
   auto mask = hn::Lt(seen.distance_squared, hn::Load(d, filters.outer[f]));
   if (filters.has_rings) mask = hn::And(mask, hn::Ge(seen.distance_squared, hn::Load(d, filters.inner[f])));

@@ -208,8 +208,7 @@ Command command_from(const std::string& verb, Parts& parts) {
     return PlaceObstacle{std::move(at), parts.number("radius")};
   }
   parts.fail(unknown_word(
-      "event", verb,
-      {"set", "add", "food", "erase", "move", "pointer", "scatter", "target", "obstacle"}));
+      "event", verb, {"set", "add", "food", "erase", "move", "pointer", "scatter", "target", "obstacle"}));
   return {};
 }
 

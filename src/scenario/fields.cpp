@@ -232,7 +232,7 @@ void visit_flock(FlockDef& flock, FieldVisitor& visitor) {
                 {"length", "length of a drawn boid", 0, infinity, false, "", "quadtree project (S3-8)"});
   visitor.field("body_radius", &flock.body_radius,
                 {"length", "how large a boid is to the touch, and for obstacles", 0, 1e15, false,
-                  "touch: d <= sum of the body radii", "CS 184 (S4-14), VUW CGRA 354 (S2-25)"});
+                 "touch: d <= sum of the body radii", "CS 184 (S4-14), VUW CGRA 354 (S2-25)"});
   visitor.items("hunt", {"", "hunt other flocks and eat whom the body touches"},
                 maybe(flock.hunt, visit_hunt));
   visitor.items("jump", {"", "a burst of speed straight ahead when prey is near"},

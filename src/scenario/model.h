@@ -204,7 +204,7 @@ struct FlockModel {
   int colour_row = -1;
   float colour_averaging = 0;
   float colour_noise = 0;
-  float body_radius = 0;  ///< length
+  float body_radius = 0;          ///< length
   bool is_hunter = false;         ///< also where the hunt is switched off
   std::optional<HuntModel> hunt;  ///< empty where switched off; so is the jump
   std::optional<JumpModel> jump;

@@ -113,8 +113,8 @@ struct Simulation::World {
       carry_out(log[done].event.command);
   }
 
-  // A state that was saved has what events did to its boids; parameters, targets, obstacles and the pointer are
-  // set again, and what is past leaves the log: from here on it is part of how the run began.
+  // A state that was saved has what events did to its boids; parameters, targets, obstacles and the pointer
+  // are set again, and what is past leaves the log: from here on it is part of how the run began.
   void settle_past() {
     const auto first = static_cast<std::uint64_t>(initial.run.first_step);
     const auto is_past = [&](const Event& event) {

@@ -16,7 +16,7 @@ class Compare : public ProgramTest {
     for (int i = 0; i < 3; ++i) {
       out += std::to_string(10 + i) + ",0";
       for (int cell = 0; cell < 6; ++cell)
-        out += "," + std::to_string(i + 0.25 * cell + (i == boid && cell == column ? error : 0));
+        out.append(",").append(std::to_string(i + 0.25 * cell + (i == boid && cell == column ? error : 0)));
       out += "\n";
     }
     return out;

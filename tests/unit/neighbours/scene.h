@@ -33,8 +33,8 @@ struct Scene {
   }
 };
 
-/// The sums of the passes, most_rows for each boid, over memory full of garbage; those of the hidden and those
-/// that no row asks for are zero.
+/// The sums of the passes, most_rows for each boid, over memory full of garbage; those of the hidden and
+/// those that no row asks for are zero.
 inline std::vector<NeighbourSum> sums_by(const Scene& scene, const Passes& passes) {
   std::vector<Span> batches;
   scene.index->batches(batches);

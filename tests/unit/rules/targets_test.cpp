@@ -13,7 +13,8 @@ constexpr double top_speed = 100;
 ScenarioDef world_with(const std::vector<TargetDef>& targets, int dimensions = 2) {
   ScenarioDef scenario = bare(dimensions);
   scenario.targets = targets;
-  for (std::size_t i = 0; i < targets.size(); ++i) scenario.targets[i].name = "t" + std::to_string(i);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    scenario.targets[i].name = std::string("t").append(std::to_string(i));
   scenario.flocks.front().max_speed = top_speed;
   return scenario;
 }
@@ -27,13 +28,15 @@ TargetDef at(const Coordinates& place, SteeringForm form, double weight = 1) {
 }
 
 void expect_near(const Point& found, const Point& expected, double tolerance = 1e-5) {
-  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(found[axis], expected[axis], tolerance) << "axis " << axis;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(found[axis], expected[axis], tolerance) << "axis " << axis;
 }
 
 const Placed boid{{0, 0}, {1, 0}};
 
 TEST(Targets, PullInEveryForm) {
-  expect_near(felt_by(world_with({at({3, 4}, SteeringForm::heading, 0.5)}), {boid}), {0.5f * -0.4f, 0.5f * 0.8f, 0});
+  expect_near(felt_by(world_with({at({3, 4}, SteeringForm::heading, 0.5)}), {boid}),
+              {0.5f * -0.4f, 0.5f * 0.8f, 0});
   expect_near(felt_by(world_with({at({3, 4}, SteeringForm::linear, 0.5)}), {boid}), {1.5f, 2, 0});
   expect_near(felt_by(world_with({at({3, 4}, SteeringForm::seek, 0.5)}), {boid}), {29.5f, 40, 0});
   expect_near(felt_by(world_with({at({3, 4}, SteeringForm::orbit, 0.5)}), {boid}), {30, 40, 0});
@@ -60,8 +63,9 @@ TEST(Targets, ThoseThatRepelTurnTheOffsetRound) {
 TEST(Targets, ThoseOfFormHeadingAreAveragedByKindTheOthersAdded) {
   TargetDef away = at({0, -7}, SteeringForm::heading);
   away.kind = TargetKind::repel;
-  const auto scenario = world_with({at({3, 4}, SteeringForm::heading), at({-9, 0}, SteeringForm::heading), away,
-                                    at({10, 0}, SteeringForm::linear, 0.1), at({20, 0}, SteeringForm::linear, 0.1)});
+  const auto scenario =
+      world_with({at({3, 4}, SteeringForm::heading), at({-9, 0}, SteeringForm::heading), away,
+                  at({10, 0}, SteeringForm::linear, 0.1), at({20, 0}, SteeringForm::linear, 0.1)});
   // (0.6 - 1 + (-1 - 1)) / 2, 0.8 / 2; then (0, 1) - (1, 0); then 1 + 2.
   expect_near(felt_by(scenario, {boid}), {-1.2f - 1 + 3, 0.4f + 1, 0});
 }
@@ -146,7 +150,8 @@ TEST(Targets, ArrivalComesToRestAtTheTarget) {
   EXPECT_LT(overshoot, 10);
 }
 
-// VUW's remark: the desired velocity itself, the own not taken off, never comes to the target but flies about it.
+// VUW's remark: the desired velocity itself, the own not taken off, never comes to the target but flies about
+// it.
 TEST(Targets, SeekPassesThroughTheTargetAndOrbitFliesAboutIt) {
   for (const bool orbits : {false, true}) {
     TargetDef target = at({0, 0}, orbits ? SteeringForm::orbit : SteeringForm::seek, 0.02);
@@ -209,7 +214,9 @@ TEST(Targets, WhatCanBeWrongIsSaid) {
   expect_key("target.t0.at", [](TargetDef& target) { target.at = {1, 2, 3}; });
   expect_key("target.t0.form", [](TargetDef& target) { target.form = SteeringForm::seek; });
   expect_key("target.t0.velocity", [](TargetDef& target) { target.motion = TargetMotion::line; });
-  expect_key("target.t0.felt_by", [](TargetDef& target) { target.felt_by = {Whose::Kind::named, {"nobody"}}; });
+  expect_key("target.t0.felt_by", [](TargetDef& target) {
+    target.felt_by = {Whose::Kind::named, {"nobody"}};
+  });
   expect_key("target.t0.felt_by", [](TargetDef& target) { target.felt_by = {}; });
   expect_key("target.a b.name", [](TargetDef& target) { target.name = "a b"; });
   expect_key("target.t0.period", [](TargetDef& target) {

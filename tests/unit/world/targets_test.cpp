@@ -68,11 +68,12 @@ TEST(PlacedTargets, AreRecordedReplayedAndKeptOverRewinding) {
 
 TEST(PlacedTargets, AreThereWhenASavedStateGoesOn) {
   ScenarioDef scenario = calm();
-  scenario.run.events = {{2, PlaceTarget{TargetKind::attract, {50, 0}, SteeringForm::orbit, 0.2, 500}},
-                         {3, PlaceTarget{TargetKind::attract, {-300, 0}, SteeringForm::linear, 0.1, infinity}},
-                         {4, SetParameter{"target.target.weight", "0.3"}},
-                         {5, EraseBoids{{-300, 0}, 1}},
-                         {12, EraseBoids{{50, 0}, 1}}};
+  scenario.run.events = {
+      {2, PlaceTarget{TargetKind::attract, {50, 0}, SteeringForm::orbit, 0.2, 500}},
+      {3, PlaceTarget{TargetKind::attract, {-300, 0}, SteeringForm::linear, 0.1, infinity}},
+      {4, SetParameter{"target.target.weight", "0.3"}},
+      {5, EraseBoids{{-300, 0}, 1}},
+      {12, EraseBoids{{50, 0}, 1}}};
   Simulation whole = start(scenario);
   whole.run(8);
   ScenarioDef rest = scenario;
@@ -115,7 +116,8 @@ TEST(Scatter, WithoutATopSpeedKeepsTheSpeed) {
 
 TEST(PlacedTargets, BadEventsAreRefusedInASentence) {
   const auto said = [](const char* event) {
-    const auto result = parse_scenario(std::string("[run]\nevents = [") + event + "]\n[[flock]]\nmax_speed = inf\n", "x.toml");
+    const auto result = parse_scenario(
+        std::string("[run]\nevents = [") + event + "]\n[[flock]]\nmax_speed = inf\n", "x.toml");
     return result ? std::string() : result.error();
   };
   EXPECT_EQ(said(R"([1, "target", "attract", [0, 0]])"), "");
