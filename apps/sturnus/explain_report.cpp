@@ -103,6 +103,10 @@ std::string term_table(const Explanation& e) {
 
 std::string result_line(const Explanation& e, const sturnus::ScenarioDef& scenario) {
   const sturnus::FlockDef& flock = scenario.flocks[static_cast<std::size_t>(e.flock)];
+  if (e.is_jumping) {
+    return "\nIt is in a jump, straight on whatever it feels. Next velocity: " +
+           vector_text(e.next_velocity, e.dimensions) + ", speed " + number(length(e.next_velocity)) + "\n";
+  }
   return "\nNext velocity, before the speed limits (" + number(flock.min_speed) + " to " +
          number(flock.max_speed) + "): v + dt·a = " + vector_text(e.next_velocity, e.dimensions) +
          ", dt = " + number(double{e.dt}) + ", speed " + number(length(e.next_velocity)) + "\n";
@@ -222,6 +226,7 @@ std::string explanation_json(const Explanation& e, const sturnus::ScenarioDef& s
   out["boundary"] = exact(e.boundary, e.dimensions);
   out["acceleration"] = exact(e.acceleration, e.dimensions);
   out["dt"] = exact(e.dt);
+  out["is_jumping"] = e.is_jumping;
   out["next_velocity"] = exact(e.next_velocity, e.dimensions);
   out["neighbours"] = Json::array();
   for (const ExplainedNeighbour& neighbour : e.neighbours)

@@ -69,7 +69,9 @@ struct Explanation {
   std::array<float, 3> boundary{};             ///< the turn at the edge, length per time squared
   std::array<float, 3> acceleration{};         ///< length per time squared
   float dt = 1;                                ///< time units in a step
-  /// velocity + dt · acceleration, length per time. A step then limits the speed and turns at random.
+  bool is_jumping = false;                     ///< a hunter in a jump: it does not obey what it feels
+  /// velocity + dt · acceleration, length per time. A step then limits the speed and turns at random. In a
+  /// jump it is the jump's, and nothing more is done to it.
   std::array<float, 3> next_velocity{};
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/root.h"
 #include "base/text.h"
+#include "step/jump.h"
 #include "step/steering.h"
 #include "world/columns.h"
 
@@ -88,7 +89,10 @@ class Explainer {
     out_.boundary = widened(boundary_turn(model_, at<D>(state_.position, slot_)));
     out_.acceleration = widened(acceleration);
     out_.dt = model_.dt;
-    out_.next_velocity = widened(velocity + acceleration * model_.dt);
+    out_.is_jumping = is_jumping(state_, flock_, slot_);
+    out_.next_velocity =
+        widened(out_.is_jumping ? jump_velocity(*flock_.jump, state_.life.jump[slot_], velocity)
+                                : velocity + acceleration * model_.dt);
     find_neighbours();
     return std::move(out_);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "step/jump.h"
 #include "world/columns.h"
 
 namespace sturnus {
@@ -14,17 +15,6 @@ bool all_sound(const Vec<D>& v) {
     if (!is_sound(v[axis])) return false;
   }
   return true;
-}
-
-bool is_jumping(const State& state, const FlockModel& flock, std::size_t i) {
-  return flock.jump && state.life.jump[i] > 0;
-}
-
-// Straight ahead, slowing down evenly until the jump is over.
-template <int D>
-Vec<D> jump_velocity(const JumpModel& jump, double left, const Vec<D>& velocity) {
-  const auto part = static_cast<float>(left < jump.duration ? left / jump.duration : 1.0);
-  return unit(velocity) * (jump.end_speed + (jump.speed - jump.end_speed) * part);
 }
 
 template <int D>
