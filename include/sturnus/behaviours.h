@@ -5,8 +5,9 @@
 // <sturnus/steering.h>, after Reynolds, "Steering behaviors for autonomous characters" (1999).
 #pragma once
 
+#include <sturnus/vocabulary.h>
+
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,9 @@ struct Behaviour {
 struct Pursuit : Behaviour {
   std::vector<std::string> of;  ///< names of the flocks that are pursued or evaded
   Prediction prediction = Prediction::intercept;
-  double time = 10.0;       ///< time; constant: so far ahead
-  double per_length = 0.3;  ///< time per length; distance, and intercept where there is none
-  double radius = std::numeric_limits<double>::infinity();  ///< length; who is farther is not seen
+  double time = 10.0;          ///< time; constant: so far ahead
+  double per_length = 0.3;     ///< time per length; distance, and intercept where there is none
+  double radius = infinity;    ///< length; who is farther is not seen
   std::vector<double> offset;  ///< pursuit: ahead, left and up of the quarry, length; given: arrive there
   double slowing = 20.0;       ///< pursuit of an offset: length; slower within this
 };

@@ -6,60 +6,17 @@
 #pragma once
 
 #include <sturnus/behaviours.h>
+#include <sturnus/events.h>
 #include <sturnus/result.h>
+#include <sturnus/vocabulary.h>
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace sturnus {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A point or vector of two or three components, as many as `space.dimensions`; empty means "not given".
-using Coordinates = std::vector<double>;
-
-enum class Edge { open, closed };                ///< is a neighbour exactly on the outer radius one? open: no
-enum class Strength { grows, constant, fades };  ///< one neighbour's pull over distance d: "d", "1", "1/d"
-enum class Combine { sum, mean };                ///< of the neighbours' contributions
-enum class Match { velocity, heading };          ///< what alignment averages
-enum class Arbitration { weighted, budget, first };
-/// What a place makes a boid feel, o being the offset to it. heading: unit(o) - heading. seek: unit(o)
-/// max_speed
-/// - v. linear: o. arrive: as seek, with the speed max_speed min(1, |o| / slowing). orbit: unit(o) max_speed,
-/// the desired velocity itself.
-enum class SteeringForm { heading, seek, linear, arrive, orbit };
-enum class TargetKind { attract, repel };
-enum class TargetMotion { still, line, circle };
-enum class BoundaryKind { open, wrap, turn, bounce };
-enum class Integrator { semi_implicit_euler, explicit_euler };
-enum class IndexKind { grid, tree, all_pairs };
-/// How sums over neighbours are made: `sparse` looks at every neighbour, `dense` takes those well inside a
-/// radius together, `automatic` chooses from the model and the state.
-enum class SumPath { automatic, sparse, dense };
-enum class StartRegion { space, box, ball, ring };
-enum class GlyphStyle { dart, cone, circle };
-enum class CameraFit { space, flock };
-/// How a boid avoids obstacles. sweep: sideways, out of the way of the first that it would hit (VUW);
-/// heading: away from all that are near (CS 184).
-enum class ObstacleForm { sweep, heading };
-enum class HuntChoice { average, nearest };  ///< all prey in view together, or one in focus
-/// Where a hunter steers: turns toward its prey, goes at full speed toward it, or toward where it will be
-/// after a constant time, a time that grows with the distance, or the time that catching it takes.
-enum class HuntAim { heading, seek, constant, distance, intercept };
-
-/// Whose members a term looks at: its own flock's, everybody's, or those of the named flocks.
-struct Whose {
-  enum class Kind { own, all, named };
-  Kind kind = Kind::own;
-  std::vector<std::string> names;  ///< used when kind is `named`
-
-  friend bool operator==(const Whose&, const Whose&) = default;
-};
 
 /// Steer away from neighbours: combine over them of -(o/d) s(d), o the offset to the neighbour, d = |o|.
 struct Separation {
@@ -383,74 +340,6 @@ struct Pointer {
   SteeringForm form = SteeringForm::heading;
   double slowing = 50.0;  ///< arrive: length; nearer than this the sought speed falls
   std::int64_t priority = 0;
-};
-
-enum class PointerMode { attract, repel };
-
-/// Set a parameter by its path, e.g. "flock.birds.max_speed" to "12": any value as it would stand in a file.
-struct SetParameter {
-  std::string path;
-  std::string value;
-};
-/// Add `count` boids around a place, spread over a ball of `radius` (length).
-struct AddBoids {
-  std::string flock;
-  std::int64_t count = 1;
-  Coordinates at;
-  double radius = 0.0;
-};
-/// Lay out `count` pieces of food around a place, spread over a ball of `radius` (length).
-struct AddFood {
-  std::string food;
-  std::int64_t count = 1;
-  Coordinates at;
-  double radius = 0.0;
-};
-/// Remove every boid, target, piece of food and obstacle within `radius` (length) of a place; of an obstacle
-/// its centre counts, and planes stay.
-struct EraseBoids {
-  Coordinates at;
-  double radius = 0.0;
-};
-/// Put a boid somewhere with a velocity; the only way out of quarantine.
-struct MoveBoid {
-  std::uint64_t id = 0;
-  Coordinates to;
-  Coordinates velocity;
-};
-/// Move the pointer; `pressed` makes it felt.
-struct MovePointer {
-  PointerMode mode = PointerMode::attract;
-  Coordinates at;
-  bool pressed = true;
-};
-/// Put a sphere (in 2D a circle) somewhere as an obstacle.
-struct PlaceObstacle {
-  Coordinates at;
-  double radius = 1.0;  ///< length
-};
-
-/// Make everyone within `radius` (length) of a place fly straight away from it at full speed: a burst.
-struct ScatterBoids {
-  Coordinates at;
-  double radius = 0.0;
-};
-/// Put a target down; from then on it is one of the scenario's, called by the next free name.
-struct PlaceTarget {
-  TargetKind kind = TargetKind::attract;
-  Coordinates at;
-  SteeringForm form = SteeringForm::heading;
-  double weight = 0.1;
-  double radius = infinity;
-};
-
-using Command = std::variant<SetParameter, AddBoids, EraseBoids, MoveBoid, MovePointer, ScatterBoids,
-                             PlaceTarget, PlaceObstacle, AddFood>;
-
-/// A command and the step before which it is carried out.
-struct Event {
-  std::uint64_t step = 0;
-  Command command;
 };
 
 struct Run {

@@ -1,4 +1,5 @@
 // Feed: toward food within a radius, like an attraction that does not reach far (CS 184).
+#include "rules/pull.h"
 #include "rules/rules.h"
 
 namespace sturnus {
@@ -14,19 +15,9 @@ Vec<D> feed(const FeedModel& feed, const Pieces& pieces, const Self<D>& self, fl
   });
   if (count == 0) return {};
   const Vec<D> toward = sum * (1.0f / static_cast<float>(count));
-  switch (feed.form) {
-    case SteeringForm::heading:
-      return toward - self.heading();
-    case SteeringForm::seek:
-      return narrow_to<D>(seek(widened(toward), widened(self.velocity), max_speed));
-    case SteeringForm::linear:
-      return toward;
-    case SteeringForm::orbit:
-      return unit(toward) * max_speed;
-    case SteeringForm::arrive:
-      break;  // not for food, as the check says
-  }
-  return {};
+  // A mean of unit vectors is shorter where they differ, and counts less.
+  if (feed.form == SteeringForm::heading) return toward - self.heading();
+  return pull_of({feed.form}, toward, self, max_speed);
 }
 
 template Vec<2> feed<2>(const FeedModel&, const Pieces&, const Self<2>&, float);

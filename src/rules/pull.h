@@ -1,4 +1,5 @@
-// What one place makes a boid feel, by the form of steering; for targets and the pointer.
+// What one place makes a boid feel, by the form of steering; for targets, the pointer, food and those who are
+// fled.
 #pragma once
 
 #include "rules/self.h"

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "scenario/assign.h"
 #include "scenario/behaviours.h"
+#include "scenario/common_checks.h"
 #include "scenario/creatures.h"
 #include "scenario/events.h"
 #include "scenario/obstacles.h"
@@ -42,6 +43,9 @@ class Checker {
 
   void say_error(std::string key, std::string text) {
     problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), false});
+  }
+  void say_if(std::optional<std::string> wrong, std::string key) {
+    if (wrong) say_error(std::move(key), std::move(*wrong));
   }
   void say_warning(std::string key, std::string text) {
     problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), true});
@@ -127,7 +131,7 @@ class Checker {
       check_start(flock.start, prefix + "start.");
       check_terms(flock, prefix);
       check_colour(flock.colour, prefix + "colour.");
-      check_form(scenario_.pointer.form, flock, "pointer.form");
+      say_if(wrong_form(scenario_.pointer.form, flock), "pointer.form");
     }
   }
 
@@ -143,21 +147,9 @@ class Checker {
   void check_name(std::size_t i, const std::string& prefix) {
     const std::string& name = names_[i];
     const auto end = names_.begin() + static_cast<std::ptrdiff_t>(i);
-    check_plain_name("flock", name, {names_.begin(), end}, prefix + "name");
+    say_if(wrong_name("flocks", name, {names_.begin(), end}), prefix + "name");
     if (name == "own" || name == "all")
       say_error(prefix + "name", say("\"", name, "\" has a meaning of its own"));
-  }
-
-  void check_plain_name(const char* what, const std::string& name, const std::vector<std::string>& earlier,
-                        const std::string& key) {
-    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-             c == '-';
-    });
-    if (!plain)
-      say_error(key, say("\"", name, "\" must be letters, digits, - and _, so that paths can name it"));
-    if (std::find(earlier.begin(), earlier.end(), name) != earlier.end())
-      say_error(key, say("two ", what, "s are called \"", name, "\""));
   }
 
   void check_start(const Start& start, const std::string& prefix) {
@@ -227,38 +219,25 @@ class Checker {
     for (const Flee& flee : flock.flee) {
       if (flee.from.empty()) say_error(prefix + "flee.from", "names nobody to flee from");
       check_names(flee.from, prefix + "flee.from");
-      check_form(flee.form, flock, prefix + "flee.form");
+      say_if(wrong_form(flee.form, flock), prefix + "flee.form");
       if (flee.form == SteeringForm::arrive)
         say_error(prefix + "flee.form", "nobody flees by slowing down; \"arrive\" is for what attracts");
     }
-  }
-
-  void check_form(SteeringForm form, const FlockDef& flock, const std::string& key) {
-    const bool goes_at_full_speed = form != SteeringForm::heading && form != SteeringForm::linear;
-    if (!goes_at_full_speed || !std::isinf(flock.max_speed)) return;
-    const char* word = form == SteeringForm::seek     ? "seek"
-                       : form == SteeringForm::arrive ? "arrive"
-                                                      : "orbit";
-    say_error(
-        key, say("\"", word, "\" goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
   }
 
   void check_targets() {
     std::vector<std::string> names;
     for (const TargetDef& target : scenario_.targets) {
       const std::string prefix = say("target.", target.name, ".");
-      check_plain_name("target", target.name, names, prefix + "name");
+      say_if(wrong_name("targets", target.name, names), prefix + "name");
       names.push_back(target.name);
       check_target(target, prefix);
     }
   }
 
   void check_target(const TargetDef& target, const std::string& prefix) {
-    check_size(target.at, axes(), prefix + "at");
+    say_if(wrong_place(target.at, axes()), prefix + "at");
     if (target.at.empty()) say_error(prefix + "at", "is missing; a target needs a place");
-    for (const double coordinate : target.at) {
-      if (!(std::abs(coordinate) <= 1e15)) say_error(prefix + "at", "must be finite and at most 1e15");
-    }
     check_size(target.velocity, axes(), prefix + "velocity");
     if (target.motion == TargetMotion::line && target.velocity.empty())
       say_error(prefix + "velocity", "is missing; a target that moves in a line needs one");
@@ -273,16 +252,14 @@ class Checker {
       const auto& felt_by = target.felt_by;
       if (felt_by.kind == Whose::Kind::all ||
           std::find(felt_by.names.begin(), felt_by.names.end(), flock.name) != felt_by.names.end())
-        check_form(target.form, flock, prefix + "form");
+        say_if(wrong_form(target.form, flock), prefix + "form");
     }
   }
 
   void check_colour(const Colour& colour, const std::string& prefix) {
     check_whose(colour.of, prefix + "of");
     if (colour.start.empty() || colour.start == "random") return;
-    const bool is_hex = colour.start.size() == 7 && colour.start[0] == '#' &&
-                        colour.start.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!is_hex)
+    if (!is_hex_colour(colour.start))
       say_error(prefix + "start", say("must be \"#rrggbb\" or \"random\", but found \"", colour.start, "\""));
   }
 

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/assign.h"
+#include "scenario/common_checks.h"
 #include "scenario/creatures.h"
 
 namespace sturnus {
@@ -32,6 +33,9 @@ class CreatureChecker {
   void say_error(std::string key, std::string text) {
     problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), false});
   }
+  void say_if(std::optional<std::string> wrong, std::string key) {
+    if (wrong) say_error(std::move(key), std::move(*wrong));
+  }
   void say_warning(std::string key, std::string text) {
     problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), true});
   }
@@ -39,25 +43,12 @@ class CreatureChecker {
   void check_food(std::size_t i) {
     const FoodDef& food = scenario_.food[i];
     const std::string prefix = say("food.", food.name, ".");
-    const bool plain = !food.name.empty() && std::all_of(food.name.begin(), food.name.end(), [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-             c == '-';
-    });
-    if (!plain)
-      say_error(prefix + "name",
-                say("\"", food.name, "\" must be letters, digits, - and _, so that paths can name it"));
-    if (std::count(foods_.begin(), foods_.begin() + static_cast<std::ptrdiff_t>(i), food.name) > 0)
-      say_error(prefix + "name", say("two kinds of food are called \"", food.name, "\""));
-    const auto axes = static_cast<std::size_t>(scenario_.space.dimensions);
-    if (!food.at.empty() && food.at.size() != axes)
-      say_error(prefix + "at", say("must have ", axes, " numbers, but has ", food.at.size()));
-    for (const double coordinate : food.at) {
-      if (!(std::abs(coordinate) <= 1e15)) say_error(prefix + "at", "must be finite and at most 1e15");
-    }
+    say_if(wrong_name("kinds of food", food.name,
+                      {foods_.begin(), foods_.begin() + static_cast<std::ptrdiff_t>(i)}),
+           prefix + "name");
+    say_if(wrong_place(food.at, static_cast<std::size_t>(scenario_.space.dimensions)), prefix + "at");
     const std::string& colour = food.colour;
-    const bool is_hex = colour.size() == 7 && colour[0] == '#' &&
-                        colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!colour.empty() && !is_hex)
+    if (!colour.empty() && !is_hex_colour(colour))
       say_error(prefix + "colour", say("must be \"#rrggbb\", but found \"", colour, "\""));
   }
 
@@ -118,10 +109,7 @@ class CreatureChecker {
     }
     if (feed.form == SteeringForm::arrive)
       say_error(prefix + "form", "nobody slows down for food; \"arrive\" is for targets and the pointer");
-    const bool is_fast = feed.form == SteeringForm::seek || feed.form == SteeringForm::orbit;
-    if (is_fast && std::isinf(flock.max_speed))
-      say_error(prefix + "form",
-                say("goes at full speed, but the max_speed of \"", flock.name, "\" is infinite"));
+    say_if(wrong_form(feed.form, flock), prefix + "form");
     if (feed.population_cap > 0 && feed.population_cap < flock.count) {
       say_warning(prefix + "population_cap", say(feed.population_cap, " is below the count of ", flock.count,
                                                  ": nobody is born until some have died"));

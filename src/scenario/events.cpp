@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "scenario/assign.h"
+#include "scenario/common_checks.h"
 #include "scenario/obstacles.h"
 #include "scenario/targets.h"
 
@@ -23,8 +24,6 @@ Value place(const Coordinates& at) {
   for (const double coordinate : at) list.push_back({coordinate});
   return {list};
 }
-
-constexpr const char* form_names[] = {"heading", "seek", "linear", "arrive", "orbit"};
 
 Value::List parts_of(const Command& command) {
   struct Parts {
@@ -217,7 +216,7 @@ std::optional<std::string> check_place(const ScenarioDef& scenario, const Coordi
     return say("the ", what, " must have ", scenario.space.dimensions, " coordinates, but has ", at.size());
   }
   for (const double coordinate : at) {
-    if (!(std::abs(coordinate) <= 1e15)) return say("the ", what, " must be finite and at most 1e15");
+    if (!is_in_bounds(coordinate)) return say("the ", what, " must be finite and at most 1e15");
   }
   return {};
 }

@@ -4,7 +4,10 @@
 #include <sturnus/parameters.h>
 
 #include <initializer_list>
+#include <iterator>
 #include <utility>
+
+#include "scenario/common_checks.h"
 
 namespace sturnus {
 
@@ -52,7 +55,9 @@ inline Choice combine_choice(Combine& combine) {
   return choice(combine, {"sum", "mean"});
 }
 inline Choice form_choice(SteeringForm& form) {
-  return choice(form, {"heading", "seek", "linear", "arrive", "orbit"});
+  return {{std::begin(form_names), std::end(form_names)},
+          [&form] { return static_cast<int>(form); },
+          [&form](int index) { form = static_cast<SteeringForm>(index); }};
 }
 
 inline constexpr About weight_about{"", "how much the term counts in the sum of accelerations", -1e9, 1e9};

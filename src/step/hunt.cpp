@@ -41,7 +41,7 @@ class Hunting {
     begin(i, *flock.hunt);
     if (flock.hunt->choose == HuntChoice::nearest) choose(i, flock);
     for_each_prey(i, *flock.hunt, flock, [&](const Prey<D>& prey, bool is_in_view) {
-      if (is_in_view) add(prey, i, flock);
+      if (is_in_view) add(prey, flock);
       if (flock.jump) is_near_ = is_near_ || is_seen(flock.jump->trigger, velocity_, speed_, prey);
     });
     if (chased_ > 0) {
@@ -128,7 +128,7 @@ class Hunting {
     focus_ = other;
   }
 
-  void add(const Prey<D>& prey, std::size_t, const FlockModel& flock) {
+  void add(const Prey<D>& prey, const FlockModel& flock) {
     if (flock.hunt->choose == HuntChoice::nearest && state_.id[prey.slot] != focus_) return;
     sum_ += aimed(*flock.hunt, prey.offset, at<D>(state_.velocity, prey.slot), flock.max_speed);
     ++chased_;

@@ -6,6 +6,7 @@
 
 #include "scenario/events.h"
 #include "world/columns.h"
+#include "world/solids.h"
 #include "world/spawn.h"
 #include "world/state.h"
 
@@ -18,17 +19,11 @@ std::array<float, 3> floats(const Coordinates& at) {
   return out;
 }
 
-// From a place to another, in double: the offset between places in different images of a wrapped space.
-Vec<3, double> offset_from(const Coordinates& at, const Model& model, const std::array<float, 3>& to) {
-  Vec<3, double> out;
-  for (std::size_t axis = 0; axis < at.size(); ++axis) {
-    double o = double{to[axis]} - at[axis];
-    const double size = model.size[axis];
-    if (model.wraps() && o > size / 2) o -= size;
-    if (model.wraps() && o < -size / 2) o += size;
-    out[static_cast<int>(axis)] = o;
-  }
-  return out;
+// From a place to another, in double, by the nearest image.
+Place<3> offset_from(const Coordinates& at, const Model& model, const std::array<float, 3>& to) {
+  Place<3> from;
+  std::copy(at.begin(), at.end(), from.at.begin());
+  return way(model, from, place_of<3>(to));
 }
 
 std::array<float, 3> place_in(const Columns& position, std::size_t i) {
@@ -50,11 +45,11 @@ float full_speed(const FlockModel& flock, float own_speed) {
 
 // Away from the place; who is just there keeps his heading.
 template <int D>
-void scatter_boid(const Model& model, const Vec<3, double>& offset, State& state, std::size_t i) {
+void scatter_boid(const Model& model, const Place<3>& offset, State& state, std::size_t i) {
   const auto velocity = at<D>(state.velocity, i);
-  const Vec<3, double> away = unit(offset);
+  const Place<3> away = unit(offset);
   Vec<D> direction = unit(velocity);
-  for (int axis = 0; axis < D && !(away == Vec<3, double>{}); ++axis)
+  for (int axis = 0; axis < D && !(away == Place<3>{}); ++axis)
     direction[axis] = static_cast<float>(away[axis]);
   put(state.velocity, i, direction * full_speed(model.flocks[state.flock[i]], length(velocity)));
 }

@@ -5,19 +5,7 @@
 namespace program_test {
 namespace {
 
-class BadInput : public ProgramTest {
- protected:
-  // Runs these words, which have to be refused with this sentence alone.
-  void expect_refusal(const Words& words, const std::string& sentence) const {
-    const std::set<std::string> before = files();
-    const Ended ended = run(words);
-    EXPECT_EQ(ended.code, 2) << sentence;
-    EXPECT_EQ(ended.out, "");
-    EXPECT_SAYS(ended.err, sentence);
-    EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
-    EXPECT_EQ(files(), before);
-  }
-};
+class BadInput : public ProgramTest {};
 
 struct BadScenario {
   const char* text;

@@ -264,11 +264,7 @@ TEST_F(Commands, UnexpectedAndMissingWordsGetOneSentence) {
       {{"check", "no.toml"}, "no.toml: cannot be read: No such file"},
   };
   for (const Mistake& mistake : mistakes) {
-    const Ended ended = run(mistake.words);
-    EXPECT_EQ(ended.code, 2) << mistake.sentence;
-    EXPECT_EQ(ended.out, "");
-    EXPECT_SAYS(ended.err, mistake.sentence);
-    EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
+    expect_refusal(mistake.words, mistake.sentence);
   }
   EXPECT_TRUE(files().empty());
 }

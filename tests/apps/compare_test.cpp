@@ -99,11 +99,7 @@ TEST_F(Compare, BadInputGetsOneSentence) {
   for (const auto& [words, sentence] : cases) {
     Words all = {"compare"};
     all.insert(all.end(), words.begin(), words.end());
-    const Ended ended = run(all);
-    EXPECT_EQ(ended.code, 2) << sentence;
-    EXPECT_SAYS(ended.err, sentence);
-    EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
-    EXPECT_EQ(ended.out, "");
+    expect_refusal(all, sentence);
   }
 }
 

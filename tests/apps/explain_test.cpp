@@ -102,11 +102,7 @@ TEST_F(Explain, BadQuestionsGetOneSentence) {
   for (const auto& [words, sentence] : cases) {
     Words all = {"explain"};
     all.insert(all.end(), words.begin(), words.end());
-    const Ended ended = run(all);
-    EXPECT_EQ(ended.code, 2) << sentence;
-    EXPECT_SAYS(ended.err, sentence);
-    EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
-    EXPECT_EQ(ended.out, "");
+    expect_refusal(all, sentence);
   }
   EXPECT_EQ(run({"explain", "ucsd", "--boid", "1", "--json", "no/e.json"}).code, 1);
   EXPECT_TRUE(files().empty());

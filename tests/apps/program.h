@@ -64,6 +64,8 @@ class ProgramTest : public testing::Test {
   Ended run(const Words& arguments, StartOptions options = {}) const;
   /// The same, and it must end with 0.
   Ended run_well(const Words& arguments) const;
+  /// Runs these words, which have to be refused with this sentence alone, and leave no file.
+  void expect_refusal(const Words& words, const std::string& sentence) const;
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
   const std::string& folder() const { return folder_; }
   /// Options for a program that stands in the test's folder.

@@ -177,6 +177,16 @@ Ended ProgramTest::run_well(const Words& arguments) const {
   return ended;
 }
 
+void ProgramTest::expect_refusal(const Words& words, const std::string& sentence) const {
+  const std::set<std::string> before = files();
+  const Ended ended = run(words);
+  EXPECT_EQ(ended.code, 2) << sentence;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_SAYS(ended.err, sentence);
+  EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
+  EXPECT_EQ(files(), before);
+}
+
 void ProgramTest::write(const std::string& name, const std::string& text) const {
   std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
   std::ofstream(path(name), std::ios::binary) << text;

@@ -182,11 +182,7 @@ TEST_F(Render, BadOptionsGetOneSentence) {
   for (const auto& [end, sentence] : cases) {
     Words words = {"render", "ucsd"};
     words.insert(words.end(), end.begin(), end.end());
-    const Ended ended = run(words);
-    EXPECT_EQ(ended.code, 2) << sentence;
-    EXPECT_EQ(ended.out, "");
-    EXPECT_SAYS(ended.err, sentence);
-    EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
+    expect_refusal(words, sentence);
   }
   EXPECT_TRUE(files().empty());
 }
