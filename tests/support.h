@@ -2,6 +2,7 @@
 // and again.
 #pragma once
 
+#include <sturnus/files.h>
 #include <sturnus/parameters.h>
 #include <sturnus/simulation.h>
 
@@ -69,6 +70,11 @@ inline State state_of(int dimensions, const std::vector<Placed>& boids) {
     }
   }
   return state;
+}
+
+/// The state as a program reads it that finds it in a file.
+inline State through_csv(const State& state) {
+  return take(parse_state_csv(state_csv(state), "saved"));
 }
 
 /// A world whose boids are exactly those of a state.

@@ -18,13 +18,13 @@ namespace {
 constexpr std::size_t most_flocks = 64;
 constexpr std::size_t most_terms = 63;  // and one for the colour
 
-class Checker {
+class Checker : Findings {
  public:
-  explicit Checker(const ScenarioDef& scenario) : scenario_(scenario) {
+  Checker(const ScenarioDef& scenario, Problems& problems) : Findings(scenario, problems) {
     for (const FlockDef& flock : scenario.flocks) names_.push_back(flock.name);
   }
 
-  Problems run() {
+  void run() {
     check_numbers();
     check_space();
     check_boundary();
@@ -35,21 +35,10 @@ class Checker {
     check_creatures(scenario_, problems_);
     check_camera();
     check_events();
-    return std::move(problems_);
   }
 
  private:
   std::size_t axes() const { return static_cast<std::size_t>(scenario_.space.dimensions); }
-
-  void say_error(std::string key, std::string text) {
-    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), false});
-  }
-  void say_if(std::optional<std::string> wrong, std::string key) {
-    if (wrong) say_error(std::move(key), std::move(*wrong));
-  }
-  void say_warning(std::string key, std::string text) {
-    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), true});
-  }
 
   // Every single value against its own range: structs filled by hand have not met the parser.
   void check_numbers();
@@ -292,10 +281,8 @@ class Checker {
     }
   }
 
-  const ScenarioDef& scenario_;
   std::vector<std::string> names_;
   double flock_view_ = 360;
-  Problems problems_;
 };
 
 // Assigns every value to itself, which checks its range.
@@ -341,7 +328,9 @@ void Checker::check_numbers() {
 }  // namespace
 
 Problems check(const ScenarioDef& scenario) {
-  return Checker(scenario).run();
+  Problems problems;
+  Checker(scenario, problems).run();
+  return problems;
 }
 
 }  // namespace sturnus

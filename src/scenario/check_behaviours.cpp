@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "scenario/assign.h"
 #include "scenario/behaviours.h"
+#include "scenario/common_checks.h"
 
 namespace sturnus {
 namespace {
@@ -12,10 +13,10 @@ namespace {
 // Their members are gone through one by one, by every boid.
 constexpr std::int64_t most_watched = 256;
 
-class BehaviourChecker {
+class BehaviourChecker : Findings {
  public:
   BehaviourChecker(const ScenarioDef& scenario, Problems& problems)
-      : scenario_(scenario), problems_(problems) {
+      : Findings(scenario, problems) {
     for (const FlockDef& flock : scenario.flocks) names_.push_back(flock.name);
   }
 
@@ -34,7 +35,7 @@ class BehaviourChecker {
   std::size_t axes() const { return static_cast<std::size_t>(scenario_.space.dimensions); }
 
   void say_error(const std::string& key, std::string text) {
-    problems_.push_back({scenario_.file, 0, prefix_ + key, std::move(text), false});
+    Findings::say_error(prefix_ + key, std::move(text));
   }
 
   void check_speed(const FlockDef& flock) {
@@ -85,8 +86,6 @@ class BehaviourChecker {
     check_size(term.velocity, axes(), "flow.velocity");
   }
 
-  const ScenarioDef& scenario_;
-  Problems& problems_;
   std::vector<std::string> names_;
   std::string prefix_;
 };

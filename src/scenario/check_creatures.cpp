@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t most_kinds_of_food = 64;
 
-class CreatureChecker {
+class CreatureChecker : Findings {
  public:
   CreatureChecker(const ScenarioDef& scenario, Problems& problems)
-      : scenario_(scenario), problems_(problems) {
+      : Findings(scenario, problems) {
     for (const FlockDef& flock : scenario.flocks) names_.push_back(flock.name);
     for (const FoodDef& food : scenario.food) foods_.push_back(food.name);
   }
@@ -30,16 +30,6 @@ class CreatureChecker {
   }
 
  private:
-  void say_error(std::string key, std::string text) {
-    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), false});
-  }
-  void say_if(std::optional<std::string> wrong, std::string key) {
-    if (wrong) say_error(std::move(key), std::move(*wrong));
-  }
-  void say_warning(std::string key, std::string text) {
-    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), true});
-  }
-
   void check_food(std::size_t i) {
     const FoodDef& food = scenario_.food[i];
     const std::string prefix = say("food.", food.name, ".");
@@ -116,8 +106,6 @@ class CreatureChecker {
     }
   }
 
-  const ScenarioDef& scenario_;
-  Problems& problems_;
   std::vector<std::string> names_, foods_;
 };
 

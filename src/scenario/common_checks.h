@@ -7,6 +7,25 @@
 
 namespace sturnus {
 
+/// What all checkers have: a scenario, and the list in which they write what they find.
+class Findings {
+ protected:
+  Findings(const ScenarioDef& scenario, Problems& problems) : scenario_(scenario), problems_(problems) {}
+
+  void say_error(std::string key, std::string text) {
+    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), false});
+  }
+  void say_if(std::optional<std::string> wrong, std::string key) {
+    if (wrong) say_error(std::move(key), std::move(*wrong));
+  }
+  void say_warning(std::string key, std::string text) {
+    problems_.push_back({scenario_.file, 0, std::move(key), std::move(text), true});
+  }
+
+  const ScenarioDef& scenario_;
+  Problems& problems_;
+};
+
 /// What files call the steering forms, in their order.
 inline constexpr const char* form_names[] = {"heading", "seek", "linear", "arrive", "orbit"};
 

@@ -29,7 +29,7 @@ std::uint64_t hash_in_two_parts(ScenarioDef scenario, std::uint64_t at, std::uin
   scenario.run.first_step = static_cast<std::int64_t>(at);
   scenario.run.resumed = true;
   SimulationOptions options;
-  options.tables["saved"] = take(parse_state_csv(state_csv(first.view().state()), "saved"));
+  options.tables["saved"] = through_csv(first.view().state());
   Simulation second = take(Simulation::create(scenario, options));
   second.run(end - at);
   return second.hash();
@@ -85,7 +85,7 @@ TEST(Continuation, ARecordingOfAContinuedRunHasWhatWasDoneAtItsFirstStep) {
   scenario.run.first_step = 3;
   scenario.run.resumed = true;
   SimulationOptions options;
-  options.tables["saved"] = take(parse_state_csv(state_csv(before.view().state()), "saved"));
+  options.tables["saved"] = through_csv(before.view().state());
   Simulation by_hand = take(Simulation::create(scenario, options));
   must(by_hand.push(AddBoids{"boids", 5, {0, 0}, 4}));
   by_hand.run(10);

@@ -354,7 +354,7 @@ TEST(Sea, GoesOnFromAFileBitForBit) {
   scenario.run.first_step = 100;
   scenario.run.resumed = true;
   SimulationOptions options;
-  options.tables["saved"] = take(parse_state_csv(state_csv(whole.view().state()), "saved"));
+  options.tables["saved"] = through_csv(whole.view().state());
   Simulation rest = take(Simulation::create(scenario, options));
   ASSERT_EQ(rest.hash(), whole.hash());
   for (int step = 0; step < 200; ++step) {
