@@ -6,6 +6,7 @@
 namespace program {
 
 void add_run(CLI::App& app, Request& request);
+void add_sweep(CLI::App& app, Request& request);
 void add_render(CLI::App& app, Request& request);
 void add_list(CLI::App& app, Request& request);
 void add_show(CLI::App& app, Request& request);

@@ -60,8 +60,8 @@ void tell_report(const sturnus::Simulation& flock) {
   }
 }
 
-std::string measures_csv(const std::vector<sturnus::Measures>& rows) {
-  std::string text = sturnus::measures_header() + "\n";
+std::string measures_csv(const sturnus::ScenarioDef& scenario, const std::vector<sturnus::Measures>& rows) {
+  std::string text = sturnus::measures_header(scenario) + "\n";
   for (const sturnus::Measures& row : rows) text += measures_line(row) + "\n";
   return text;
 }

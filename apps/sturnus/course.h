@@ -29,6 +29,6 @@ Course follow(sturnus::Simulation& flock, std::uint64_t steps, bool measured, bo
 void tell_report(const sturnus::Simulation& flock);
 
 /// Header and rows, as a CSV file has them.
-std::string measures_csv(const std::vector<sturnus::Measures>& rows);
+std::string measures_csv(const sturnus::ScenarioDef& scenario, const std::vector<sturnus::Measures>& rows);
 
 }  // namespace program

@@ -24,6 +24,7 @@ void describe(CLI::App& app, Request& request) {
       "Exit codes: 0 done, 1 failed while running, 2 bad usage or input, 3 compared files differ, "
       "130 interrupted.");
   add_run(app, request);
+  add_sweep(app, request);
   add_render(app, request);
   add_list(app, request);
   add_show(app, request);

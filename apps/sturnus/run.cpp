@@ -139,9 +139,7 @@ class Writer {
 };
 
 sturnus::Image plot_of(const Simulation& flock, const Course& course) {
-  const ScenarioDef& scenario = flock.scenario();
-  return plot_measures(course.rows, scenario.title.empty() ? scenario.name : scenario.title,
-                       sturnus::ThemeName::dark);
+  return plot_measures(course.rows, flock.scenario(), sturnus::ThemeName::dark);
 }
 
 // The scenario as it began, with its events and exactly the steps that were done.
@@ -161,7 +159,7 @@ void write_folder(const RunOptions& options, const Simulation& flock, const Cour
   const std::string scenario = recorded_scenario(flock, course, inputs, copies);
   for (const auto& [name, text] : copies) writer.text(in_folder(options, name), text);
   writer.text(in_folder(options, "scenario.toml"), scenario);
-  writer.text(in_folder(options, "measures.csv"), measures_csv(course.rows));
+  writer.text(in_folder(options, "measures.csv"), measures_csv(flock.scenario(), course.rows));
   writer.text(in_folder(options, "final.csv"), state_csv(flock.view().state()));
   writer.picture(in_folder(options, "plot.png"), plot_of(flock, course));
   if (!writer.has_failed()) writer.text(in_folder(options, "run.json"), summary_json(options, flock, course));
@@ -171,7 +169,7 @@ bool write_results(const RunOptions& options, const Simulation& flock, const Cou
                    const Inputs& inputs) {
   Writer writer;
   if (!options.final_state.empty()) writer.text(options.final_state, state_csv(flock.view().state()));
-  if (!options.measures.empty()) writer.text(options.measures, measures_csv(course.rows));
+  if (!options.measures.empty()) writer.text(options.measures, measures_csv(flock.scenario(), course.rows));
   if (!options.plot.empty()) writer.picture(options.plot, plot_of(flock, course));
   write_folder(options, flock, course, inputs, writer);
   return !writer.has_failed();

@@ -38,6 +38,16 @@ struct Pursuit : Behaviour {
   double slowing = 20.0;       ///< pursuit of an offset: length; slower within this
 };
 
+/// Go behind the obstacle that hides from the nearest of some flocks; evade it where there is none.
+struct Hide : Behaviour {
+  std::vector<std::string> from;  ///< names of the flocks that are hidden from
+  double radius = infinity;       ///< length; who is farther is not seen
+  double reach = 200.0;           ///< length; an obstacle whose surface is farther is not sought
+  double margin = 15.0;           ///< length; from the obstacle's surface to the place behind it
+  double slowing = 20.0;          ///< length; slower within this of the place
+  double time = 10.0;             ///< time; where nothing hides, flee the place where it will be so far ahead
+};
+
 /// Stay near a line and go along it.
 struct FollowPath : Behaviour {
   std::vector<std::vector<double>> points;  ///< length; corners in order

@@ -17,10 +17,11 @@ struct Measures {
   double milling = 0;       ///< |mean unit(p - c) x heading| about the centre of mass c, 0 to 1 (Couzin 2002)
   double speed = 0;         ///< mean |v|, length per time
   double turning = 0;       ///< mean angle between successive headings, degrees in one step
-  double nearest_distance = 0;  ///< mean distance to the nearest other boid, length
-  double neighbours = 0;        ///< mean number of others within `link` and the field of view
-  std::size_t clusters = 0;     ///< components connected by distances up to `link`, single boids too
-  double largest_cluster = 0;   ///< share of all boids in the largest cluster, 0 to 1
+  double nearest_distance = 0;           ///< mean distance to the nearest other boid, length
+  double neighbours = 0;                 ///< mean number of others within `link` and the field of view
+  std::size_t clusters = 0;              ///< components connected by distances up to `link`, single boids too
+  double largest_cluster = 0;            ///< share of all boids in the largest cluster, 0 to 1
+  std::vector<std::size_t> populations;  ///< boids of each flock, in the scenario's order, as `boids` counts
 };
 
 /// Measures a flock as it stands. `link` (length): 0 takes the scenario's run.measure.link, and where that is
@@ -41,8 +42,9 @@ struct MeasureColumn {
 /// Every measure but the step, in the order of the struct.
 const std::vector<MeasureColumn>& measure_columns();
 
-/// "step,boids,polarisation,..." and one line of it, without line ends. NaN is an empty field.
-std::string measures_header();
+/// "step,boids,polarisation,..." and one line of it, without line ends. NaN is an empty field. With several
+/// flocks there is a last column "population.NAME" for each.
+std::string measures_header(const ScenarioDef& scenario);
 std::string measures_line(const Measures& measures);
 
 }  // namespace sturnus

@@ -43,9 +43,27 @@ class Renderer {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The course of all measures, one panel each. Rows in order of their steps; none makes an empty plot.
-Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme,
+/// The course of all measures of a scenario, one panel each; how many there are of each flock, where that
+/// changes. Rows in order of their steps; none makes an empty plot.
+Image plot_measures(const std::vector<Measures>& rows, const ScenarioDef& scenario, ThemeName theme,
                     int width = 1280);
+
+/// Measures of several runs against the parameter that they differ in.
+struct SweepPlot {
+  std::string title;
+  std::string parameter;       ///< "flock.fish.count"
+  std::vector<double> values;  ///< of the parameter, rising
+  struct Curve {
+    std::string name;
+    std::vector<double> results;  ///< one for each value; NaN leaves a gap, and so do missing ones at the end
+  };
+  struct Panel {
+    std::string measure;  ///< "polarisation"
+    std::vector<Curve> curves;
+  };
+  std::vector<Panel> panels;
+};
+Image plot_sweep(const SweepPlot& sweep, ThemeName theme, int width = 960);
 
 /// Pictures from left to right and top to bottom, `columns` in a row, each with a caption.
 Image picture_sheet(const std::vector<Image>& pictures, const std::vector<std::string>& captions, int columns,

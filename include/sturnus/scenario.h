@@ -235,6 +235,7 @@ struct FlockDef {
   TargetSense targets;
   std::optional<AvoidObstacles> avoid_obstacles;
   std::optional<Pursuit> pursue, evade;
+  std::optional<Hide> hide;
   std::optional<FollowPath> follow_path;
   std::optional<FollowWall> follow_wall;
   std::optional<FollowFlow> flow;

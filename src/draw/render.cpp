@@ -120,14 +120,12 @@ Image Renderer::frame(const Simulation& simulation) {
 
 namespace {
 
-// Polarisation and milling share a panel: a flock trades one for the other. A population that never changes
-// has none.
+// Polarisation and milling share a panel: a flock trades one for the other.
 void add_panel(const MeasureColumn& column, const std::vector<Measures>& rows, Plot& plot) {
   PlotLine line{column.title, {}};
   for (const Measures& row : rows) line.values.push_back(column.value(row));
   const std::string_view name = column.name;
-  const auto is_first = [&](double value) { return value == line.values.front(); };
-  if (name == "boids" && std::all_of(line.values.begin(), line.values.end(), is_first)) return;
+  if (name == "boids") return;
   if (name == "milling") {
     plot.panels.back().title = "Order";
     plot.panels.back().lines.push_back(std::move(line));
@@ -136,14 +134,41 @@ void add_panel(const MeasureColumn& column, const std::vector<Measures>& rows, P
   plot.panels.push_back({column.title, column.unit, {std::move(line)}, column.low, column.high});
 }
 
+// One line for each flock; no panel where nobody comes or goes.
+void add_populations(const ScenarioDef& scenario, const std::vector<Measures>& rows, Plot& plot) {
+  const auto is_as_first = [&](const Measures& row) { return row.populations == rows.front().populations; };
+  if (std::all_of(rows.begin(), rows.end(), is_as_first)) return;
+  PlotPanel panel{"Population", "", {}, 0};
+  for (std::size_t flock = 0; flock < scenario.flocks.size(); ++flock) {
+    PlotLine line{scenario.flocks[flock].name, {}};
+    for (const Measures& row : rows) line.values.push_back(static_cast<double>(row.populations[flock]));
+    panel.lines.push_back(std::move(line));
+  }
+  plot.panels.push_back(std::move(panel));
+}
+
 }  // namespace
 
-Image plot_measures(const std::vector<Measures>& rows, const std::string& title, ThemeName theme_name,
+Image plot_measures(const std::vector<Measures>& rows, const ScenarioDef& scenario, ThemeName theme_name,
                     int width) {
   Plot plot;
-  plot.title = title;
+  plot.title = scenario.title.empty() ? scenario.name : scenario.title;
   for (const Measures& row : rows) plot.x.push_back(static_cast<double>(row.step));
+  add_populations(scenario, rows, plot);
   for (const MeasureColumn& column : measure_columns()) add_panel(column, rows, plot);
+  return draw_plot(plot, theme(theme_name), plot_size(plot, width), Workers(0));
+}
+
+Image plot_sweep(const SweepPlot& sweep, ThemeName theme_name, int width) {
+  Plot plot;
+  plot.title = sweep.title;
+  plot.x_title = "";
+  plot.x = sweep.values;
+  for (const SweepPlot::Panel& panel : sweep.panels) {
+    PlotPanel drawn{panel.measure, "against " + sweep.parameter, {}, 0};
+    for (const SweepPlot::Curve& curve : panel.curves) drawn.lines.push_back({curve.name, curve.results});
+    plot.panels.push_back(std::move(drawn));
+  }
   return draw_plot(plot, theme(theme_name), plot_size(plot, width), Workers(0));
 }
 

@@ -270,6 +270,8 @@ Measures measure(const View& view, double link) {
   Measures out;
   out.step = view.step();
   out.boids = flock.slots.size();
+  out.populations.assign(view.scenario().flocks.size(), 0);
+  for (const std::uint32_t slot : flock.slots) ++out.populations[static_cast<std::size_t>(view.flock(slot))];
   out.polarisation = polarisation_of(flock);
   out.milling = milling_of(flock);
   out.speed = mean_speed(flock);
@@ -303,9 +305,11 @@ const std::vector<MeasureColumn>& measure_columns() {
   return columns;
 }
 
-std::string measures_header() {
+std::string measures_header(const ScenarioDef& scenario) {
   std::string out = "step";
   for (const MeasureColumn& column : measure_columns()) out += say(",", column.name);
+  if (scenario.flocks.size() < 2) return out;
+  for (const FlockDef& flock : scenario.flocks) out += say(",population.", flock.name);
   return out;
 }
 
@@ -319,6 +323,8 @@ std::string measures_line(const Measures& measures) {
     out.append(buffer,
                std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 9).ptr);
   }
+  if (measures.populations.size() < 2) return out;
+  for (const std::size_t population : measures.populations) out += say(",", population);
   return out;
 }
 

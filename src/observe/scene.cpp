@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "observe/lines.h"
 #include "observe/obstacles.h"
 #include "scenario/model.h"
 #include "scenario/targets.h"
@@ -215,6 +216,7 @@ void Trails::add_to(const View& view, const SceneColours& colours, DrawList& lis
 void make_scene(const View& view, const SceneColours& colours, const SceneOptions& options, DrawList& list) {
   add_outline(view, colours, list);
   add_index(options, colours, list);
+  add_lines(view, colours, list);
   add_obstacles(view, colours, list);
   add_targets(view, colours, list);
   add_food(view, colours, list);

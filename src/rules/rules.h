@@ -41,6 +41,11 @@ Vec<D> pursuit(const PursuitModel& model, const Others<D>& others, const Self<D>
 template <int D>
 Vec<D> evasion(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed);
 
+/// Behind the obstacle that hides from the nearest hunter, or away from where that will be.
+template <int D>
+Vec<D> hiding(const HideModel& hide, const Model& model, const ObstacleIndex& obstacles,
+              const Others<D>& others, const Self<D>& self, float max_speed);
+
 /// Along a path, and along a wall; in a space that wraps, by the image from which they are nearest.
 template <int D>
 Vec<D> path_following(const LineModel& model, const Wrapping& image, const Self<D>& self, float max_speed);

@@ -19,6 +19,15 @@ struct PursuitModel {
   float slowing = 0;
 };
 
+struct HideModel {
+  std::uint64_t flocks = 0;  ///< a bit for every flock that is hidden from
+  float radius_squared = 0;  ///< d² < this
+  float reach = 0;
+  float margin = 0;
+  float slowing = 0;
+  float time = 0;
+};
+
 /// Of a path or a wall.
 struct LineModel {
   std::vector<std::array<float, 3>> corners;
@@ -58,6 +67,7 @@ struct QueueModel {
 
 struct BehavioursModel {
   PursuitModel pursue, evade;
+  HideModel hide;
   LineModel path, wall;
   FlowModel flow;
   LeaderModel leader;

@@ -25,6 +25,7 @@ class BehaviourChecker : Findings {
     check_speed(flock);
     if (flock.pursue) check_pursuit(*flock.pursue, "pursue.");
     if (flock.evade) check_pursuit(*flock.evade, "evade.");
+    if (flock.hide) check_hide(*flock.hide);
     if (flock.follow_path) check_line(flock.follow_path->points, axes(), "follow_path.points");
     if (flock.follow_wall) check_line(flock.follow_wall->points, 2, "follow_wall.points");
     if (flock.flow) check_flow(*flock.flow);
@@ -46,6 +47,7 @@ class BehaviourChecker : Findings {
     };
     refuse(flock.pursue.has_value(), "pursue");
     refuse(flock.evade.has_value(), "evade");
+    refuse(flock.hide.has_value(), "hide");
     refuse(flock.follow_path.has_value(), "follow_path");
     refuse(flock.follow_wall.has_value(), "follow_wall");
     refuse(flock.follow_leader.has_value(), "follow_leader");
@@ -71,6 +73,11 @@ class BehaviourChecker : Findings {
     if (term.of.empty()) say_error(table + "of", "names nobody");
     for (const std::string& name : term.of) check_watched(name, table + "of");
     check_size(term.offset, axes(), table + "offset");
+  }
+
+  void check_hide(const Hide& term) {
+    if (term.from.empty()) say_error("hide.from", "names nobody");
+    for (const std::string& name : term.from) check_watched(name, "hide.from");
   }
 
   void check_line(const std::vector<Coordinates>& points, std::size_t size, const std::string& key) {

@@ -38,6 +38,17 @@ PursuitModel compiled(const ScenarioDef& scenario, const Pursuit& def) {
   return out;
 }
 
+HideModel compiled(const ScenarioDef& scenario, const Hide& def) {
+  HideModel out;
+  for (const std::string& name : def.from) out.flocks |= bit_of(scenario, name);
+  out.radius_squared = number(def.radius) * number(def.radius);
+  out.reach = number(def.reach);
+  out.margin = number(def.margin);
+  out.slowing = number(def.slowing);
+  out.time = number(def.time);
+  return out;
+}
+
 template <class Def>
 LineModel line_of(const Def& def) {
   LineModel out;
@@ -93,6 +104,7 @@ void compile_behaviours(const ScenarioDef& scenario, std::size_t own, FlockModel
   BehavioursModel& models = out.behaviours;
   add(TermKind::pursue, def.pursue, models.pursue);
   add(TermKind::evade, def.evade, models.evade);
+  add(TermKind::hide, def.hide, models.hide);
   add(TermKind::follow_path, def.follow_path, models.path);
   add(TermKind::follow_wall, def.follow_wall, models.wall);
   add(TermKind::flow, def.flow, models.flow);
@@ -104,7 +116,8 @@ void compile_behaviours(const ScenarioDef& scenario, std::size_t own, FlockModel
 void gather_behaviours(Model& model) {
   for (const FlockModel& flock : model.flocks) {
     const BehavioursModel& own = flock.behaviours;
-    model.watched |= own.pursue.flocks | own.evade.flocks | own.leader.flocks;
+    model.watched |= own.pursue.flocks | own.evade.flocks | own.leader.flocks | own.hide.flocks;
+    model.obstacle_reach = std::max(model.obstacle_reach, own.hide.reach);
     const float reach = std::max(own.avoidance.radius, own.queue.distance);
     model.uses_lists |= reach > 0;
     model.reach = std::max(model.reach, reach);

@@ -44,6 +44,25 @@ void visit_evade(Pursuit& term, FieldVisitor& visitor) {
   visit_behaviour(term, visitor);
 }
 
+void visit_hide(Hide& term, FieldVisitor& visitor) {
+  visitor.field("from", &term.from,
+                {"", "names of the flocks whose nearest member is hidden from", 0, 0, false, "", paper});
+  visitor.field("radius", &term.radius,
+                {"length", "who is farther is not seen", 0, infinity, true, "d < radius", paper});
+  visitor.field("reach", &term.reach,
+                {"length", "an obstacle whose surface is farther is not sought", 0, 1e15, false, "", paper});
+  visitor.field("margin", &term.margin,
+                {"length", "from the obstacle's surface to the place behind it", 0, 1e15, false,
+                 "c + unit(c - o)·(r + margin)", paper});
+  visitor.field("slowing", &term.slowing,
+                {"length", "the wished speed falls within this distance of the place", 0, 1e15, false,
+                 "max_speed·min(1, d/slowing)", paper});
+  visitor.field("time", &term.time,
+                {"time", "where nothing hides: the place that is fled lies so far ahead of the hunter", 0,
+                 1e15, false, "-unit(o + v·time)·max_speed - own v", paper});
+  visit_behaviour(term, visitor);
+}
+
 void visit_line(std::vector<Coordinates>& points, bool& loop, const char* which, FieldVisitor& visitor) {
   visitor.field("points", &points, {"length", which, -1e15, 1e15, false, "", paper});
   visitor.field("loop", &loop, {"", "the last corner is joined to the first"});
@@ -132,6 +151,8 @@ void visit_queue(Queue& term, FieldVisitor& visitor) {
 void visit_behaviours(FlockDef& flock, FieldVisitor& visitor) {
   visitor.items("pursue", {"", "seek where another will be"}, maybe(flock.pursue, visit_pursue));
   visitor.items("evade", {"", "flee where another will be"}, maybe(flock.evade, visit_evade));
+  visitor.items("hide", {"", "go behind an obstacle, out of a hunter's sight"},
+                maybe(flock.hide, visit_hide));
   visitor.items("follow_path", {"", "stay near a line and go along it"},
                 maybe(flock.follow_path, visit_path));
   visitor.items("follow_wall", {"", "go along a wall at a distance"}, maybe(flock.follow_wall, visit_wall));

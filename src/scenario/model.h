@@ -48,7 +48,8 @@ enum class TermKind {
   avoid_collisions,
   queue,
   hunt,
-  feed
+  feed,
+  hide
 };
 
 /// What a scenario file calls such terms.
@@ -96,6 +97,8 @@ constexpr const char* name_of(TermKind kind) {
       return "feed";
     case TermKind::hunt:
       return "hunt";
+    case TermKind::hide:
+      return "hide";
   }
   return "";
 }
@@ -124,6 +127,7 @@ constexpr bool sums_neighbours(TermKind kind) {
     case TermKind::queue:
     case TermKind::hunt:
     case TermKind::feed:
+    case TermKind::hide:
       return false;
   }
   return false;

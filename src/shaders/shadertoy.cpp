@@ -74,6 +74,7 @@ class Objections {
     };
     refuse(flock.pursue, "pursue");
     refuse(flock.evade, "evade");
+    refuse(flock.hide, "hide");
     refuse(flock.follow_path, "follow_path");
     refuse(flock.follow_wall, "follow_wall");
     refuse(flock.flow, "flow");

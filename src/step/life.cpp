@@ -117,7 +117,8 @@ void gather_eaters(const State& state, LifeScratch& scratch, std::size_t count, 
 }
 
 template <int D>
-void eat_prey(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
+void eat_prey(const Model& model, State& state, Scratch& scratch, StepReport& report,
+              const Workers& workers) {
   LifeScratch& life = scratch.life;
   const std::vector<std::uint32_t>& hunters = scratch.hunters.slots;
   const Bodies<D> bodies(model, state, life.alive);
@@ -129,6 +130,7 @@ void eat_prey(const Model& model, State& state, Scratch& scratch, const Workers&
     const auto prey = bodies.prey_of(i);
     if (!prey) continue;
     life.alive[*prey] = 0;
+    ++report.eaten;
     const auto& hunger = model.flocks[state.flock[i]].hunger;
     if (!hunger) continue;
     state.life.fasting[i] = 0;
@@ -136,12 +138,13 @@ void eat_prey(const Model& model, State& state, Scratch& scratch, const Workers&
   }
 }
 
-void starve(const Model& model, const State& state, Scratch& scratch) {
+void starve(const Model& model, const State& state, Scratch& scratch, StepReport& report) {
   for (const std::uint32_t i : scratch.hunters.slots) {
     const auto& hunger = model.flocks[state.flock[i]].hunger;
-    if (hunger && state.quarantined[i] == 0 &&
-        state.life.fasting[i] > hunger->starves_after - rounding * model.tick)
-      scratch.life.alive[i] = 0;
+    if (!hunger || state.quarantined[i] != 0 || scratch.life.alive[i] == 0) continue;
+    if (!(state.life.fasting[i] > hunger->starves_after - rounding * model.tick)) continue;
+    scratch.life.alive[i] = 0;
+    ++report.starved;
   }
 }
 
@@ -211,6 +214,7 @@ void give_birth(const Model& model, const ScenarioDef& scenario, State& state, S
       spawn_beside(scenario, model, flock, life.meals[meal], beside, state);
       note_newborn(state, scratch);
       ++life.members[flock];
+      ++report.born;
     }
   }
 }
@@ -242,8 +246,8 @@ void live_in(const Model& model, const ScenarioDef& scenario, State& state, Scra
   scratch.life.meals.clear();
   if (model.has_hunters) {
     run_clocks(model, state, scratch.hunters);
-    eat_prey<D>(model, state, scratch, workers);
-    starve(model, state, scratch);
+    eat_prey<D>(model, state, scratch, report, workers);
+    starve(model, state, scratch, report);
   }
   if (model.has_feeders) eat_food<D>(model, state, scratch, workers);
   bury(state, scratch);

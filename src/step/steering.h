@@ -93,6 +93,8 @@ class Steering {
         return hunt(i);
       case TermKind::feed:
         return feed(*flock.feed, scratch_.pieces, own, flock.max_speed);
+      case TermKind::hide:
+        return hiding(flock.behaviours.hide, model_, scratch_.obstacles, others_, own, flock.max_speed);
     }
     return {};
   }

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "everything.h"
 #include "isas.h"
 #include "support.h"
 
@@ -22,6 +23,16 @@ constexpr const char* how_to_update =
     "'--gtest_filter=*Golden*'"
     "\nand say in CHANGELOG.md why results changed.";
 constexpr std::int64_t most_boids = 2000;
+
+/// The shipped scenarios, and the one with everything switched on.
+const std::vector<ShippedScenario>& golden_scenarios() {
+  static const std::vector<ShippedScenario> all = [] {
+    std::vector<ShippedScenario> scenarios = shipped_scenarios();
+    scenarios.push_back({"everything", "tests", everything});
+    return scenarios;
+  }();
+  return all;
+}
 
 /// "name step" to the hash in sixteen digits.
 using Hashes = std::map<std::string, std::string>;
@@ -43,7 +54,7 @@ void write_hashes(const Hashes& hashes) {
   std::ofstream file(golden_file);
   file << "# State hashes of the shipped scenarios with at most " << most_boids
        << " boids: name, step, hash.\n";
-  for (const ShippedScenario& shipped : shipped_scenarios()) {
+  for (const ShippedScenario& shipped : golden_scenarios()) {
     for (const int mark : {1, 10, 100, 1000}) {
       const std::string key = std::string(shipped.name) + " " + std::to_string(mark);
       if (const auto found = hashes.find(key); found != hashes.end())
@@ -84,7 +95,7 @@ std::string first_difference(const Simulation& one, const Simulation& other) {
 
 class Golden : public testing::TestWithParam<std::size_t> {
  protected:
-  const ShippedScenario& shipped() const { return shipped_scenarios()[GetParam()]; }
+  const ShippedScenario& shipped() const { return golden_scenarios()[GetParam()]; }
 
   /// Runs one, two, three and eight threads and a poisoned world side by side.
   void run_all(std::uint64_t steps) {
@@ -154,7 +165,7 @@ TEST_P(GoldenIsa, SameBitsAsThePlainLoop) {
   const auto& [number, isa] = GetParam();
   const IsaGuard guard;
   if (!use_isa(isa.isa)) GTEST_SKIP() << "this machine has no " << isa.name;
-  const ScenarioDef scenario = reduced(shipped_scenarios()[number]);
+  const ScenarioDef scenario = reduced(golden_scenarios()[number]);
   Simulation plain = start(scenario);
   Simulation wide = start(scenario, 2);
   for (int step = 1; step <= 20; ++step) {
@@ -162,19 +173,19 @@ TEST_P(GoldenIsa, SameBitsAsThePlainLoop) {
     plain.step();
     ASSERT_TRUE(use_isa(isa.isa));
     wide.step();
-    ASSERT_EQ(wide.hash(), plain.hash()) << shipped_scenarios()[number].name << ", step " << step << ": "
+    ASSERT_EQ(wide.hash(), plain.hash()) << golden_scenarios()[number].name << ", step " << step << ": "
                                          << isa_in_use() << ", " << first_difference(plain, wide);
   }
 }
 
 std::vector<std::size_t> every_scenario() {
   std::vector<std::size_t> indexes;
-  while (indexes.size() < shipped_scenarios().size()) indexes.push_back(indexes.size());
+  while (indexes.size() < golden_scenarios().size()) indexes.push_back(indexes.size());
   return indexes;
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
-  std::string name = shipped_scenarios()[info.param].name;
+  std::string name = golden_scenarios()[info.param].name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
@@ -196,7 +207,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FullGolden);
 TEST(GoldenFile, HoldsTheHashesOfShippedScenariosOnly) {
   std::map<std::string, int> lines;
   for (const auto& [key, hash] : read_hashes()) ++lines[key.substr(0, key.find(' '))];
-  for (const ShippedScenario& shipped : shipped_scenarios()) lines.erase(shipped.name);
+  for (const ShippedScenario& shipped : golden_scenarios()) lines.erase(shipped.name);
   for (const auto& [name, count] : lines)
     ADD_FAILURE() << name << " is not shipped any more" << how_to_update;
 }

@@ -201,6 +201,75 @@ TEST(SteeringScenarios, AvoidanceHalvesTheNearMissesAtLeast) {
   EXPECT_LT(2 * with, without) << with << " of " << without;
 }
 
+// Whether the straight way between two boids meets an obstacle; a box counts as the ball around it.
+bool is_hidden(const Simulation& simulation, std::size_t from, std::size_t to) {
+  const View view = simulation.view();
+  const Point o = offset_of(simulation, from, to);
+  for (const Obstacle& obstacle : view.state().obstacles) {
+    const double x = double{obstacle.at[0]} - double{view.position(from)[0]};
+    const double y = double{obstacle.at[1]} - double{view.position(from)[1]};
+    const double radius = obstacle.kind == ObstacleKind::sphere
+                              ? double{obstacle.radius}
+                              : std::hypot(double{obstacle.half[0]}, double{obstacle.half[1]});
+    const double all = double{o[0]} * double{o[0]} + double{o[1]} * double{o[1]};
+    const double part = std::clamp((x * double{o[0]} + y * double{o[1]}) / all, 0.0, 1.0);
+    if (std::hypot(x - part * double{o[0]}, y - part * double{o[1]}) < radius) return true;
+  }
+  return false;
+}
+
+// How much of the crowd the hunter can't see, once they had time to hide.
+double share_out_of_sight(bool hides) {
+  ScenarioDef scenario = shipped("steer-hide");
+  scenario.flocks[0].hide->on = hides;
+  Simulation simulation = start(scenario);
+  simulation.run(200);
+  double hidden = 0, all = 0;
+  for (int step = 0; step < 600; ++step) {
+    simulation.step();
+    const std::size_t hunter = members(simulation, "hunter")[0];
+    for (const std::size_t boid : members(simulation, "crowd")) {
+      hidden += is_hidden(simulation, hunter, boid) ? 1 : 0;
+      ++all;
+    }
+  }
+  return hidden / all;
+}
+
+TEST(SteeringScenarios, MostOfThoseWhoHideAreOutOfSight) {
+  EXPECT_GT(share_out_of_sight(true), 0.8);
+  EXPECT_LT(share_out_of_sight(false), 0.4);
+}
+
+TEST(SteeringScenarios, WhoArrivesComesToRestWhereWhoSeeksOvershoots) {
+  Simulation simulation = start(shipped("steer-arrival"));
+  simulation.run(280);
+  double arriving = 0, seeking = 0;
+  for (const std::size_t boid : members(simulation, "arriving")) {
+    arriving = std::max(arriving, length_of(simulation.view().velocity(boid)));
+    EXPECT_LT(distance(simulation.view().position(boid), {300, 270, 0}), 12);
+  }
+  for (const std::size_t boid : members(simulation, "seeking"))
+    seeking += length_of(simulation.view().velocity(boid)) / 12;
+  EXPECT_LT(arriving, 0.3);
+  EXPECT_GT(seeking, 1);
+}
+
+TEST(SteeringScenarios, WhoWandersNervouslyTurnsMore) {
+  Simulation simulation = start(shipped("steer-wander"));
+  double turned[2] = {};
+  for (int step = 0; step < 300; ++step) {
+    simulation.step();
+    for (std::size_t i = 0; i < simulation.view().size(); ++i) {
+      const Vector before = heading(simulation.view().previous_velocity(i));
+      const Vector now = heading(simulation.view().velocity(i));
+      turned[simulation.view().flock(i)] += distance(before, now);
+    }
+  }
+  EXPECT_GT(turned[0], 0);
+  EXPECT_GT(turned[1], 2 * turned[0]);
+}
+
 // The least distance of any two cars after step 500, and how many are in a queue: with somebody within 40.
 std::pair<double, int> queued(bool waits) {
   ScenarioDef scenario = shipped("steer-queue");

@@ -70,6 +70,52 @@ TEST(Behaviours, OfTwoEquallyNearTheLowestIdIsPursuedWhateverTheOrder) {
   expect_near(felt_by(scenario, boids), {0, 50, 0});
 }
 
+// The flock "birds" hides from "others" among these obstacles.
+ScenarioDef hiding_among(const ObstacleDef& obstacles, int dimensions = 2) {
+  ScenarioDef scenario = two_flocks(dimensions);
+  scenario.obstacles = {obstacles};
+  Hide hide;
+  hide.from = {"others"};
+  hide.reach = 100;
+  hide.margin = 3;
+  hide.slowing = 200;
+  hide.time = 2;
+  scenario.flocks[0].hide = hide;
+  return scenario;
+}
+
+TEST(Behaviours, HidingIsThePublicFunctionOverTheObstaclesInReach) {
+  const ScenarioDef scenario = hiding_among({{{40, 10, 5}, {-30, 50, 8}, {0, -150, 60}}, {}, {}, {}});
+  const std::vector<Placed> boids = {{{0, 0}, {1, 2}}, {{70, -20}, {-5, 1}, 1}, {{-200, 0}, {}, 1}};
+  const std::vector<Ball> balls = {{{40, 10, 0}, 5}, {{-30, 50, 0}, 8}, {{0, -150, 0}, 60}};
+  expect_near(felt_by(scenario, boids), hide(balls, {70, -20, 0}, 3, {1, 2, 0}, 50, 200));
+  ScenarioDef far = scenario;
+  far.flocks[0].hide->reach = 36;  // to the first surface it is 36.2, to the second 50.3
+  expect_near(felt_by(far, boids), evade({70, -20, 0}, {-5, 1, 0}, 2, {1, 2, 0}, 50));
+  far.flocks[0].hide->reach = 37;
+  expect_near(felt_by(far, boids), hide(std::span(balls).first(1), {70, -20, 0}, 3, {1, 2, 0}, 50, 200));
+  far.flocks[0].hide->radius = 70;
+  expect_near(felt_by(far, boids), {});  // nobody to hide from is seen
+}
+
+TEST(Behaviours, HidingKnowsSpaceAndTheSeam) {
+  const std::vector<Ball> ball = {{{-30, 5, 10}, 4}};
+  ScenarioDef scenario = hiding_among({{{980, 5, 10, 4}}, {}, {}, {}}, 3);
+  scenario.space.boundary.kind = BoundaryKind::wrap;
+  // All by their nearest images: the ball 30 to the left over the seam, the hunter 60.
+  const std::vector<Placed> boids = {{{-990, 0, 0}, {1, 0, 2}}, {{950, 0, 0}, {3, 4, 0}, 1}};
+  expect_near(felt_by(scenario, boids), hide(ball, {-60, 0, 0}, 3, {1, 0, 2}, 50, 200));
+}
+
+TEST(Behaviours, BoxesHideAsTheBallAroundThemAndPlanesNobody) {
+  const std::vector<Placed> boids = {{{0, 0}, {1, 2}}, {{70, 0}, {-5, 1}, 1}};
+  const std::vector<Ball> ball = {{{30, 10, 0}, 5}};
+  expect_near(felt_by(hiding_among({{}, {{27, 6, 33, 14}}, {}, {}}), boids),
+              hide(ball, {70, 0, 0}, 3, {1, 2, 0}, 50, 200));
+  expect_near(felt_by(hiding_among({{}, {}, {{0, -20, 0, 1}}, {}}), boids),
+              evade({70, 0, 0}, {-5, 1, 0}, 2, {1, 2, 0}, 50));
+}
+
 TEST(Behaviours, PathAndWallAreTakenByTheNearestImage) {
   ScenarioDef scenario = two_flocks();
   scenario.space.boundary.kind = BoundaryKind::wrap;
@@ -191,6 +237,12 @@ TEST(Behaviours, WhatIsWrongIsSaidInASentence) {
   scenario.flocks[0].follow_leader.emplace();
   EXPECT_NE(problems_of(scenario).find("follow_leader.leader"), std::string::npos);
   scenario.flocks[0].follow_leader->leader = "others";
+  scenario.flocks[0].hide.emplace();
+  EXPECT_NE(problems_of(scenario).find("flock.birds.hide.from: names nobody"), std::string::npos);
+  scenario.flocks[0].hide->from = {"other"};
+  EXPECT_NE(problems_of(scenario).find("hide.from: there is no flock"), std::string::npos)
+      << problems_of(scenario);
+  scenario.flocks[0].hide->from = {"others"};
   scenario.flocks[0].flow.emplace();
   scenario.flocks[0].flow->centre = {1};
   EXPECT_NE(problems_of(scenario).find("flow.centre"), std::string::npos);

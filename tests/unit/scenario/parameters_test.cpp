@@ -207,6 +207,8 @@ void complete_behaviour(const ParameterRow& row, ScenarioDef& scenario) {
     return row.path.starts_with(std::string("flock.NAME.") + table + ".");
   };
   if (is_of("pursue") || is_of("evade") || is_of("follow_leader")) scenario.flocks.front().count = 100;
+  if (is_of("hide")) scenario.flocks.front().count = 100;
+  if (is_of("hide")) set(scenario, "flock.boids.hide.from", "[boids]");
   if (is_of("pursue")) set(scenario, "flock.boids.pursue.of", "[boids]");
   if (is_of("evade")) set(scenario, "flock.boids.evade.of", "[boids]");
   if (is_of("follow_leader")) set(scenario, "flock.boids.follow_leader.leader", "boids");
