@@ -77,7 +77,7 @@ max_acceleration = 0.4
 field_of_view = 300
 separation = [{ weight = 1.5, ring = [0, 12], strength = "1/d", combine = "mean" }, { weight = 0.5, radius = 20, of = ["sharks"] }]
 alignment = { weight = 0.1, ring = [4, 28], match = "heading", relative = false, count_self = true }
-cohesion = [{ weight = 1, ring = [12, 50], strength = "1/d" }, { weight = 0.001, radius = inf, sample = 0.5 }]
+cohesion = [{ weight = 1, ring = [12, 50], strength = "1/d" }, { weight = 0.001, radius = 70, sample = 0.5 }]
 cruise = { speed = 2, weight = 0.1 }
 wander = { rate = 0.3, weight = 0.05 }
 noise = { acceleration = 0.03, turn = 4 }

@@ -147,6 +147,14 @@ void add_populations(const ScenarioDef& scenario, const std::vector<Measures>& r
   plot.panels.push_back(std::move(panel));
 }
 
+// Measures have a title, a unit and a range; what else a sweep tells has its name.
+PlotPanel empty_panel(const std::string& measure) {
+  for (const MeasureColumn& column : measure_columns()) {
+    if (column.name == measure) return {column.title, column.unit, {}, 0, column.high};
+  }
+  return {measure, measure == "captures" ? "per hunter and time" : "", {}, 0};
+}
+
 }  // namespace
 
 Image plot_measures(const std::vector<Measures>& rows, const ScenarioDef& scenario, ThemeName theme_name,
@@ -161,15 +169,17 @@ Image plot_measures(const std::vector<Measures>& rows, const ScenarioDef& scenar
 
 Image plot_sweep(const SweepPlot& sweep, ThemeName theme_name, int width) {
   Plot plot;
-  plot.title = sweep.title;
+  plot.title = sweep.title.empty() ? sweep.parameter : sweep.title + " · " + sweep.parameter;
   plot.x_title = "";
   plot.x = sweep.values;
   for (const SweepPlot::Panel& panel : sweep.panels) {
-    PlotPanel drawn{panel.measure, "against " + sweep.parameter, {}, 0};
+    PlotPanel drawn = empty_panel(panel.measure);
     for (const SweepPlot::Curve& curve : panel.curves) drawn.lines.push_back({curve.name, curve.results});
     plot.panels.push_back(std::move(drawn));
   }
-  return draw_plot(plot, theme(theme_name), plot_size(plot, width), Workers(0));
+  Size size = plot_size(plot, width);
+  size.height = std::min(size.height + 130 * static_cast<int>(plot.panels.size()), max_picture_side);
+  return draw_plot(plot, theme(theme_name), size, Workers(0));
 }
 
 Image picture_sheet(const std::vector<Image>& pictures, const std::vector<std::string>& captions, int columns,

@@ -17,8 +17,14 @@ std::vector<Segment> drawn(const ScenarioDef& scenario) {
   return list.segments;
 }
 
+ScenarioDef one_flock(int dimensions) {
+  ScenarioDef scenario = bare(dimensions);
+  scenario.flocks[0].max_speed = 5;
+  return scenario;
+}
+
 TEST(LineDrawing, PathsAreThinnerThanWallsAndLoopsAreClosed) {
-  ScenarioDef scenario = bare(2);
+  ScenarioDef scenario = one_flock(2);
   FollowPath path;
   path.points = {{0, 0}, {10, 0}, {10, 20}};
   scenario.flocks[0].follow_path = path;
@@ -39,7 +45,7 @@ TEST(LineDrawing, PathsAreThinnerThanWallsAndLoopsAreClosed) {
 }
 
 TEST(LineDrawing, WhatSeveralFlocksFollowIsDrawnOnceAndWhatIsOffNotAtAll) {
-  ScenarioDef scenario = bare(2);
+  ScenarioDef scenario = one_flock(2);
   FollowPath path;
   path.points = {{0, 0}, {10, 0}};
   scenario.flocks[0].follow_path = path;
@@ -53,7 +59,7 @@ TEST(LineDrawing, WhatSeveralFlocksFollowIsDrawnOnceAndWhatIsOffNotAtAll) {
 }
 
 TEST(LineDrawing, InSpaceAWallHasFootTopAndPosts) {
-  ScenarioDef scenario = bare(3);
+  ScenarioDef scenario = one_flock(3);
   FollowWall wall;
   wall.points = {{0, 0}, {10, 0}, {10, 20}};
   scenario.flocks[0].follow_wall = wall;
