@@ -22,7 +22,7 @@ dt = 0.8
 steps = 100
 events = [
   [2, "pointer", "attract", [100, 100]],
-  [3, "set", "flock.fish.cohesion.weight", 1.5],
+  [3, "set", "flock.fish.cohesion.0.weight", 1.5],
   [4, "add", "fish", 10, [200, 150], 20],
   [5, "food", "plankton", 5, [100, 200], 30],
   [5, "target", "repel", [350, 250], "heading", 0.2, 80],

@@ -82,7 +82,7 @@ TEST_F(Sweep, RefusesBeforeItRuns) {
   EXPECT_SAYS(refused({"--over", "flock.fish.count=1,,2"}), "a value is missing");
   EXPECT_SAYS(refused({"--over", "flock.fisch.count=1"}), "did you mean");
   EXPECT_SAYS(refused({"--over", "flock.fish.count=10,-1"}), "count");
-  EXPECT_SAYS(refused({"--over", "flock.fish.count=1", "--measure", "turnin"}), "did you mean \"turning\"");
+  EXPECT_SAYS(refused({"--over", "flock.fish.count=1", "--measure", "turnin"}), "did you mean turning?");
   EXPECT_SAYS(refused({"--over", "flock.fish.count=20,10", "--plot", "p.png"}), "numbers that rise");
   EXPECT_SAYS(refused({"--over", "flock.fish.count=10", "--plot", "p.gif"}), "must end in .png or .ppm");
   EXPECT_SAYS(refused({}), "--over");
