@@ -48,7 +48,7 @@ void visit_hide(Hide& term, FieldVisitor& visitor) {
   visitor.field("from", &term.from,
                 {"", "names of the flocks whose nearest member is hidden from", 0, 0, false, "", paper});
   visitor.field("radius", &term.radius,
-                {"length", "who is farther is not seen", 0, infinity, true, "d < radius", paper});
+                {"length", "who is farther is not seen", 0, infinity, true, "", paper});
   visitor.field("reach", &term.reach,
                 {"length", "an obstacle whose surface is farther is not sought", 0, 1e15, false, "", paper});
   visitor.field("margin", &term.margin,
