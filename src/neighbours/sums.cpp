@@ -1,5 +1,6 @@
 // Batch by batch: who may be near, and which kernel sums them.
 #include <algorithm>
+#include <bit>
 
 #include "neighbours/kernel.h"
 #include "neighbours/passes.h"
@@ -25,7 +26,8 @@ struct Members {
 };
 
 Members members_of(const Boids& boids, Span batch) {
-  if (boids.hidden == nullptr && (boids.flocks & (boids.flocks - 1)) == 0) return {boids.flocks, false};
+  const std::uint64_t present = boids.flocks_in(batch.begin, batch.end);
+  if (boids.hidden == nullptr && std::has_single_bit(present)) return {present, false};
   std::uint64_t any = 0;
   std::uint64_t all = ~std::uint64_t{0};
   for (std::size_t j = batch.begin; j < batch.end; ++j) {
@@ -33,6 +35,12 @@ Members members_of(const Boids& boids, Span batch) {
     all &= boids.flock_bit(j);
   }
   return {any, any != all};
+}
+
+std::uint64_t flocks_among(const Boids& boids, std::span<const Span> spans) {
+  std::uint64_t found = 0;
+  for (const Span& span : spans) found |= boids.flocks_in(span.begin, span.end);
+  return found;
 }
 
 // Whom the kernel has to ask; who comes in whole cells is left in the scratch.
@@ -57,10 +65,18 @@ void wide_batch(const Boids& boids, Span batch, const Members& members, std::spa
   wide.spans = spans;
   wide.few = is_few<D>(candidates(spans), pass);
   wide.image = image;
+  wide.near = flocks_among(boids, spans);
   wide.programs = pass.programs.data();
   wide.steered = pass.steered & members.flocks;
   wide.is_mixed = members.is_mixed;
+  wide.program = wide.programs + std::countr_zero(wide.steered);
   wide.sums = &sums;
+  // Hunters are few, and most boids have none near: their sums cost no more than without hunters.
+  WideProgram without;
+  if (!wide.is_mixed && has_idle_rows(*wide.program, wide.near)) {
+    without = without_idle_rows(*wide.program, wide.near);
+    wide.program = &without;
+  }
   wide_sums<D>(wide);
 }
 

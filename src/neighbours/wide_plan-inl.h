@@ -245,7 +245,7 @@ template <int D, class ThePlan>
 HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   const Floats d;
   const bool spans_tell = batch.image.wraps && SpansTell(batch.spans);
-  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  const WideProgram& program = *batch.program;
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
     if constexpr (ThePlan::has_options) FillFilters(batch, first, filters);

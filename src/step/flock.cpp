@@ -117,8 +117,7 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
                 const NeighbourQuestion& question, std::size_t first, std::size_t last, StepWatch* watch,
                 int part) {
   PartScratch& own = scratch.parts[static_cast<std::size_t>(part)];
-  Motion<D> motion{
-      model, state, scratch, own, {model, state, scratch, own}, boids.flocks, boids.hidden != nullptr};
+  Motion<D> motion{model, state, scratch, own, {model, state, scratch, own}, boids};
   for (std::size_t block = first; block < last; ++block) {
     const auto batches = block_at(scratch, block);
     const std::size_t begin = batches.front().begin;
@@ -159,7 +158,11 @@ template <int D>
 Asked ask(const Model& model, const State& state, Scratch& scratch, const Workers& workers) {
   place_targets(model, state.step, scratch.targets);
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
-  const Boids boids = boids_of(model, state, scratch);
+  Boids boids = boids_of(model, state, scratch);
+  if (model.flocks.size() > 1) {
+    find_present(boids, workers, scratch.present);
+    boids.present = scratch.present.data();
+  }
   if (model.uses_totals)
     population_totals<D>(boids, model.flocks.size(), workers, scratch.total_parts, scratch.totals);
   const NeighbourQuestion question{&model,          scratch.is_indexed ? scratch.index.get() : nullptr,

@@ -14,8 +14,7 @@ struct Motion {
   Scratch& scratch;
   PartScratch& part;
   Steering<D> steering;
-  std::uint64_t flocks = 0;  ///< a bit for every flock that a boid may belong to
-  bool hides = false;        ///< whether some boid of all is out of play
+  const Boids& boids;  ///< all, as the kernel sees them
 };
 
 /// Moves those of the boids [begin, end) that are in play, one at a time.

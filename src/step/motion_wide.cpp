@@ -3,6 +3,7 @@
 #include "step/motion.h"
 
 #include <algorithm>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "step/motion_wide.cpp"
@@ -307,7 +308,9 @@ inline bool HasLanes(const FlockModel& flock) {
 template <int D>
 HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std::size_t flock) {
   const Floats d;
-  if (!motion.hides && (motion.flocks & (motion.flocks - 1)) == 0) return hn::FirstN(d, width);
+  const std::uint64_t present = motion.boids.flocks_in(first, first + width);
+  if ((present >> flock & 1) == 0) return hn::FirstN(d, 0);
+  if (motion.boids.hidden == nullptr && std::has_single_bit(present)) return hn::FirstN(d, width);
   HWY_ALIGN float is_member[width] = {};
   for (std::size_t i = 0; i < width; ++i) {
     const std::size_t slot = first + i;
