@@ -11,64 +11,11 @@
 
 #include <hwy/highway.h>
 
-#include "neighbours/lanes-inl.h"
+#include "step/lane_vec-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sturnus {
 namespace HWY_NAMESPACE {
-
-template <int D>
-struct LaneVec {
-  Lanes at[D];
-};
-
-template <int D>
-HWY_INLINE LaneVec<D> Zeros() {
-  LaneVec<D> v;
-  for (int axis = 0; axis < D; ++axis) v.at[axis] = hn::Zero(Floats());
-  return v;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Scaled(const LaneVec<D>& v, Lanes factor) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Mul(v.at[axis], factor);
-  return out;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Sum(const LaneVec<D>& a, const LaneVec<D>& b) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Add(a.at[axis], b.at[axis]);
-  return out;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Difference(const LaneVec<D>& a, const LaneVec<D>& b) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Sub(a.at[axis], b.at[axis]);
-  return out;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Select(Lanes_mask mask, const LaneVec<D>& yes, const LaneVec<D>& no) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::IfThenElse(mask, yes.at[axis], no.at[axis]);
-  return out;
-}
-
-template <int D>
-HWY_INLINE Lanes Length(const LaneVec<D>& v) {
-  return hn::Sqrt(Squared<D>(v.at));
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Heading(const LaneVec<D>& v) {
-  const Floats d;
-  const Lanes size = Length(v);
-  const auto moves = hn::Gt(size, hn::Zero(d));
-  return Select(moves, Scaled(v, hn::Div(hn::Set(d, 1.0f), size)), Zeros<D>());
-}
 
 // Boids from slot `first` on, in the lanes, of whom some belong to the flock.
 template <int D>
@@ -78,14 +25,6 @@ struct Group {
   std::size_t first;
   LaneVec<D> position, velocity;
 };
-
-template <int D>
-HWY_INLINE LaneVec<D> LoadVec(const Columns& columns, std::size_t first) {
-  LaneVec<D> v;
-  for (int axis = 0; axis < D; ++axis)
-    v.at[axis] = hn::LoadU(Floats(), columns[static_cast<std::size_t>(axis)].data() + first);
-  return v;
-}
 
 // The sum of a row and its count, with the boid itself where it counts too.
 template <int D>

@@ -39,6 +39,7 @@ void poison(Scratch& scratch) {
   for (PartScratch& part : scratch.parts) {
     spoil(part.kernel.spans);
     spoil(part.fallen);
+    spoil(part.eaters);
     part.sums.spoil();
   }
   for (Columns& columns : scratch.custom) spoil(columns);

@@ -17,6 +17,8 @@ struct PartScratch {
   KernelScratch kernel;
   SumBlock sums;
   std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
+  std::vector<std::uint32_t> eaters;  ///< slots of those who touch food
+  float longest = 0;                  ///< length; the longest way of those looked at
 };
 
 /// Those who hunt, in the order of storage, and where each is pulled.
