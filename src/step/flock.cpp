@@ -117,7 +117,7 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
                 const NeighbourQuestion& question, std::size_t first, std::size_t last, StepWatch* watch,
                 int part) {
   PartScratch& own = scratch.parts[static_cast<std::size_t>(part)];
-  Motion<D> motion{model, state, scratch, own, {model, state, scratch, own}, boids};
+  Motion<D> motion{model, state, scratch, own, {model, state, scratch, own}, boids, image_of(model)};
   for (std::size_t block = first; block < last; ++block) {
     const auto batches = block_at(scratch, block);
     const std::size_t begin = batches.front().begin;
@@ -130,7 +130,8 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
     if (watch != nullptr) watch->looked_at(std::exchange(own.kernel.pairs, 0), part);
     const Watched watched(watch, Phase::motion, part);
     question.passes->are_wide() ? move_wide(motion, begin, end) : move_plain(motion, begin, end);
-    if (model.is_solid && !scratch.obstacles.empty()) keep_out(motion, begin, end);
+    if (model.is_solid && !scratch.obstacles.empty())
+      question.passes->are_wide() ? keep_out_wide(motion, begin, end) : keep_out(motion, begin, end);
     if (model.uses_colour) drift_colours(model, state, scratch, own.sums, begin, end);
   }
 }

@@ -11,7 +11,7 @@
 
 #include <hwy/highway.h>
 
-#include "step/lane_vec-inl.h"
+#include "step/near_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sturnus {
@@ -23,7 +23,9 @@ struct Group {
   Motion<D>& motion;
   const FlockModel& flock;
   std::size_t first;
+  Lanes_mask counted;  ///< those lanes
   LaneVec<D> position, velocity;
+  Box box;  ///< of their places, where somebody asks
 };
 
 // The sum of a row and its count, with the boid itself where it counts too.
@@ -71,11 +73,16 @@ HWY_INLINE LaneVec<D> Alignment(const TermModel& term, const Group<D>& group, co
   return Select(sum.is_lonely, Zeros<D>(), wish);
 }
 
-// A term that is asked boid by boid.
+// A term that is asked boid by boid, for those lanes that have something to ask.
 template <int D>
-HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group) {
+HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group, Lanes_mask asks) {
+  const Floats d;
+  if (hn::AllFalse(d, asks)) return Zeros<D>();
+  HWY_ALIGN float is_asked[width];
+  hn::Store(hn::IfThenElseZero(asks, hn::Set(d, 1.0f)), d, is_asked);
   HWY_ALIGN float felt[D][width] = {};
   for (std::size_t lane = 0; lane < width; ++lane) {
+    if (is_asked[lane] == 0) continue;
     const std::size_t i = group.first + lane;
     Steering<D>& steering = group.motion.steering;
     const Vec<D> one = steering.feel(term, group.flock, steering.self(i), i);
@@ -84,6 +91,56 @@ HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group) {
   LaneVec<D> out;
   for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Load(Floats(), felt[axis]);
   return out;
+}
+
+// Who may feel an obstacle.
+template <int D>
+HWY_INLINE Lanes_mask MayFeelObstacles(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const ObstacleColumns& near = group.motion.part.near_obstacles;
+  const bool sweeps = term.obstacle_form == ObstacleForm::sweep;
+  const float thicker = 1.0001f * (sweeps ? group.flock.body_radius + term.clearance : 0.0f);
+  const float reach = 1.0001f * term.look_ahead + thicker;
+  auto may = hn::FirstN(d, 0);
+  for (std::size_t k = 0; k < near.count; ++k) {
+    const auto seen = LookAt<D>(near, k, group.motion.image, group.position, hn::Set(d, reach));
+    auto one = seen.near;
+    const bool is_sphere = seen.radius < FlockModel::infinity_f;
+    if (sweeps && is_sphere && !IsAmbiguous(group.motion.image, D, seen.radius, reach))
+      one = hn::And(one, MayMeet<D>(seen, group.velocity, thicker));
+    may = hn::Or(may, one);
+  }
+  return hn::And(may, group.counted);
+}
+
+// Toward food, as in rules/feed.cpp, piece after piece.
+template <int D>
+HWY_NOINLINE LaneVec<D> Feed(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const FeedModel& feed = *group.flock.feed;
+  const Pieces& pieces = group.motion.scratch.pieces;
+  auto& runs = group.motion.part.food_runs;
+  if (!pieces.find_runs(group.box.low, group.box.high, feed.radius, runs))
+    return AskEach(term, group, group.counted);
+  LaneVec<D> sum = Zeros<D>();
+  Lanes count = hn::Zero(d);
+  for (const Pieces::Run run : runs) {
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
+      if (pieces.kind_at(i) != feed.kind) continue;
+      std::array<float, 3> place{};
+      for (std::size_t axis = 0; axis < D; ++axis) place[axis] = pieces.coordinate_at(axis, i);
+      const LaneVec<D> o = Offset(group.position, Everywhere<D>(place), group.motion.image);
+      const auto smells = hn::Le(Squared<D>(o.at), hn::Set(d, feed.radius * feed.radius));
+      const LaneVec<D> toward = feed.form == SteeringForm::linear ? o : Heading(o);
+      sum = Select(smells, Sum(sum, toward), sum);
+      count = hn::IfThenElse(smells, hn::Add(count, hn::Set(d, 1.0f)), count);
+    }
+  }
+  const auto smells = hn::Gt(count, hn::Zero(d));
+  if (hn::AllFalse(d, smells)) return Zeros<D>();
+  if (feed.form != SteeringForm::heading) return AskEach(term, group, hn::And(smells, group.counted));
+  const LaneVec<D> toward = Scaled(sum, hn::Div(hn::Set(d, 1.0f), count));
+  return Select(smells, Difference(toward, Heading(group.velocity)), Zeros<D>());
 }
 
 template <int D>
@@ -99,8 +156,14 @@ HWY_INLINE LaneVec<D> Feel(const TermModel& term, const Group<D>& group) {
       return Alignment(term, group, LoadSum(group, row));
     case TermKind::cruise:
       return Scaled(Heading(group.velocity), hn::Sub(hn::Set(d, term.amount), Length(group.velocity)));
+    case TermKind::flee:
+      return AskEach(term, group, hn::AndNot(LoadSum(group, row).is_lonely, group.counted));
+    case TermKind::avoid_obstacles:
+      return AskEach(term, group, MayFeelObstacles(term, group));
+    case TermKind::feed:
+      return Feed(term, group);
     default:
-      return AskEach(term, group);
+      return AskEach(term, group, group.counted);
   }
 }
 
@@ -206,8 +269,9 @@ HWY_INLINE bool AreSound(Lanes_mask counted, const LaneVec<D>& v) {
 
 // Moves the counted lanes; false where a number needs the care of the plain motion, and nothing is written.
 template <int D>
-HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
+HWY_INLINE bool MoveGroup(const Group<D>& group) {
   const Floats d;
+  const Lanes_mask counted = group.counted;
   const Model& model = group.motion.model;
   constexpr float most = std::numeric_limits<float>::max();
   LaneVec<D> felt = Zeros<D>();
@@ -258,16 +322,51 @@ HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std:
   return hn::Gt(hn::Load(d, is_member), hn::Zero(d));
 }
 
+// What is near the boids of a group.
+template <int D>
+HWY_INLINE void LookAround(Group<D>& group) {
+  Motion<D>& motion = group.motion;
+  const bool has_obstacles = !motion.scratch.obstacles.empty();
+  if (!has_obstacles && !group.flock.feed) return;
+  Bounds<D> bounds = NoBounds<D>();
+  Widen(bounds, group.position, group.counted);
+  group.box = BoxOf(bounds);
+  if (has_obstacles)
+    Select<D>(motion.part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach,
+              motion.part.near_obstacles);
+}
+
 template <int D>
 HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
   const Floats d;
   for (std::size_t f = 0; f < motion.model.flocks.size(); ++f) {
     const auto counted = MembersOf(motion, first, f);
     if (hn::AllFalse(d, counted)) continue;
-    const Group<D> group{motion, motion.model.flocks[f], first, LoadVec<D>(motion.state.position, first),
-                         LoadVec<D>(motion.state.velocity, first)};
-    if (!HasLanes(group.flock) || !MoveGroup(group, counted)) move_plain(motion, first, first + width);
+    Group<D> group{motion,
+                   motion.model.flocks[f],
+                   first,
+                   counted,
+                   LoadVec<D>(motion.state.position, first),
+                   LoadVec<D>(motion.state.velocity, first),
+                   {}};
+    LookAround(group);
+    if (!HasLanes(group.flock) || !MoveGroup(group)) move_plain(motion, first, first + width);
   }
+}
+
+// The obstacles that somebody of the stretch may be near to.
+template <int D>
+HWY_INLINE void LookFar(Motion<D>& motion, std::size_t begin, std::size_t end) {
+  if (motion.scratch.obstacles.empty()) return;
+  Bounds<D> bounds = NoBounds<D>();
+  for (std::size_t first = begin; first < end; first += width) {
+    const LaneVec<D> places = LoadVec<D>(motion.state.position, std::min(first, end - width));
+    Widen(bounds, places, AreSoundPlaces(places));
+  }
+  const ObstacleColumns& all = motion.scratch.obstacles.columns();
+  motion.part.block_obstacles.fit(all.count);
+  motion.part.near_obstacles.fit(all.count);
+  Select<D>(all, motion.image, BoxOf(bounds), motion.model.obstacle_reach, motion.part.block_obstacles);
 }
 
 // The last lanes go back over boids that have moved: that changes nothing, since all is read from the state
@@ -275,6 +374,7 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
 template <int D>
 HWY_INLINE void MoveAll(Motion<D>& motion, std::size_t begin, std::size_t end) {
   if (end - begin < width || motion.model.uses_wander) return move_plain(motion, begin, end);
+  LookFar(motion, begin, end);
   for (std::size_t first = begin; first < end; first += width)
     MoveLanes(motion, std::min(first, end - width));
 }

@@ -40,6 +40,9 @@ void poison(Scratch& scratch) {
     spoil(part.kernel.spans);
     spoil(part.fallen);
     spoil(part.eaters);
+    spoil(part.food_runs);
+    part.block_obstacles.spoil();
+    part.near_obstacles.spoil();
     part.sums.spoil();
   }
   for (Columns& columns : scratch.custom) spoil(columns);

@@ -18,6 +18,8 @@ struct PartScratch {
   SumBlock sums;
   std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
   std::vector<std::uint32_t> eaters;  ///< slots of those who touch food
+  ObstacleColumns block_obstacles, near_obstacles;  ///< near the boids at hand
+  std::vector<Pieces::Run> food_runs;               ///< likewise
   float longest = 0;                  ///< length; the longest way of those looked at
 };
 
