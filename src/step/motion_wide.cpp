@@ -93,11 +93,13 @@ HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group, La
   return out;
 }
 
-// Who may feel an obstacle.
+// Who may feel an obstacle; and which, a bit for each lane.
 template <int D>
-HWY_INLINE Lanes_mask MayFeelObstacles(const TermModel& term, const Group<D>& group) {
+HWY_INLINE Lanes_mask FindObstacles(const TermModel& term, const Group<D>& group,
+                                    std::vector<std::uint32_t>& lanes) {
   const Floats d;
   const ObstacleColumns& near = group.motion.part.near_obstacles;
+  lanes.resize(near.count);
   const bool sweeps = term.obstacle_form == ObstacleForm::sweep;
   const float thicker = 1.0001f * (sweeps ? group.flock.body_radius + term.clearance : 0.0f);
   const float reach = 1.0001f * term.look_ahead + thicker;
@@ -108,39 +110,105 @@ HWY_INLINE Lanes_mask MayFeelObstacles(const TermModel& term, const Group<D>& gr
     const bool is_sphere = seen.radius < FlockModel::infinity_f;
     if (sweeps && is_sphere && !IsAmbiguous(group.motion.image, D, seen.radius, reach))
       one = hn::And(one, MayMeet<D>(seen, group.velocity, thicker));
+    lanes[k] = BitsOf(one);
     may = hn::Or(may, one);
   }
   return hn::And(may, group.counted);
 }
 
-// Toward food, as in rules/feed.cpp, piece after piece.
+// Those who may feel an obstacle are asked one by one, each about a few.
 template <int D>
-HWY_NOINLINE LaneVec<D> Feed(const TermModel& term, const Group<D>& group) {
+HWY_NOINLINE LaneVec<D> AvoidObstacles(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const Motion<D>& motion = group.motion;
+  std::vector<std::uint32_t>& lanes = motion.part.lanes_of_obstacles;
+  std::vector<std::uint32_t>& felt = motion.part.felt_obstacles;
+  const std::uint32_t asking = BitsOf(FindObstacles(term, group, lanes));
+  if (asking == 0) return Zeros<D>();
+  HWY_ALIGN float forces[D][width] = {};
+  for (std::uint32_t left = asking; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    felt.clear();
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+      if ((lanes[k] >> lane & 1) != 0)
+        felt.push_back(std::bit_cast<std::uint32_t>(motion.part.near_obstacles.number[k]));
+    }
+    const Vec<D> force = avoid_listed<D>(term, group.flock, motion.model, motion.scratch.obstacles, felt,
+                                         motion.steering.self(group.first + lane));
+    for (int axis = 0; axis < D; ++axis) forces[axis][lane] = force[axis];
+  }
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Load(d, forces[axis]);
+  return out;
+}
+
+// What lanes smell of food.
+template <int D>
+struct Smelt {
+  LaneVec<D> sum;
+  Lanes count;
+};
+
+// The pieces in the runs, one after the other, for the lanes of a mask.
+template <int D>
+HWY_INLINE void Smell(const Group<D>& group, Lanes_mask who, Smelt<D>& smelt) {
   const Floats d;
   const FeedModel& feed = *group.flock.feed;
   const Pieces& pieces = group.motion.scratch.pieces;
-  auto& runs = group.motion.part.food_runs;
-  if (!pieces.find_runs(group.box.low, group.box.high, feed.radius, runs))
-    return AskEach(term, group, group.counted);
-  LaneVec<D> sum = Zeros<D>();
-  Lanes count = hn::Zero(d);
-  for (const Pieces::Run run : runs) {
+  for (const Pieces::Run run : group.motion.part.food_runs) {
     for (std::uint32_t i = run.begin; i < run.end; ++i) {
       if (pieces.kind_at(i) != feed.kind) continue;
       std::array<float, 3> place{};
       for (std::size_t axis = 0; axis < D; ++axis) place[axis] = pieces.coordinate_at(axis, i);
       const LaneVec<D> o = Offset(group.position, Everywhere<D>(place), group.motion.image);
-      const auto smells = hn::Le(Squared<D>(o.at), hn::Set(d, feed.radius * feed.radius));
+      const auto smells =
+          hn::And(who, hn::Le(Squared<D>(o.at), hn::Set(d, feed.radius * feed.radius)));
+      if (hn::AllFalse(d, smells)) continue;
       const LaneVec<D> toward = feed.form == SteeringForm::linear ? o : Heading(o);
-      sum = Select(smells, Sum(sum, toward), sum);
-      count = hn::IfThenElse(smells, hn::Add(count, hn::Set(d, 1.0f)), count);
+      smelt.sum = Select(smells, Sum(smelt.sum, toward), smelt.sum);
+      smelt.count = hn::IfThenElse(smells, hn::Add(smelt.count, hn::Set(d, 1.0f)), smelt.count);
     }
   }
-  const auto smells = hn::Gt(count, hn::Zero(d));
+}
+
+// Toward food, as in rules/feed.cpp.
+template <int D>
+HWY_INLINE LaneVec<D> TowardFood(const TermModel& term, const Group<D>& group, const Smelt<D>& smelt) {
+  const Floats d;
+  const auto smells = hn::Gt(smelt.count, hn::Zero(d));
   if (hn::AllFalse(d, smells)) return Zeros<D>();
-  if (feed.form != SteeringForm::heading) return AskEach(term, group, hn::And(smells, group.counted));
-  const LaneVec<D> toward = Scaled(sum, hn::Div(hn::Set(d, 1.0f), count));
+  if (group.flock.feed->form != SteeringForm::heading) return AskEach(term, group, smells);
+  const LaneVec<D> toward = Scaled(smelt.sum, hn::Div(hn::Set(d, 1.0f), smelt.count));
   return Select(smells, Difference(toward, Heading(group.velocity)), Zeros<D>());
+}
+
+// Where the order of storage jumps from one end of the world to the other, a group stands in two places: it
+// is quartered, and only the boids of the part with the jump are asked one by one.
+template <int D>
+HWY_NOINLINE LaneVec<D> Feed(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const Pieces& pieces = group.motion.scratch.pieces;
+  auto& runs = group.motion.part.food_runs;
+  const float radius = group.flock.feed->radius;
+  Smelt<D> smelt{Zeros<D>(), hn::Zero(d)};
+  if (pieces.find_runs(group.box.low, group.box.high, radius, runs)) {
+    Smell(group, group.counted, smelt);
+    return TowardFood(term, group, smelt);
+  }
+  auto torn = hn::FirstN(d, 0);
+  constexpr std::size_t size = std::max<std::size_t>(width / 4, 1);
+  for (std::size_t first = 0; first < width; first += size) {
+    const auto stretch = hn::AndNot(hn::FirstN(d, first), hn::FirstN(d, std::min(first + size, width)));
+    const auto part = hn::And(stretch, group.counted);
+    if (hn::AllFalse(d, part)) continue;
+    const Box box = BoxOf(BoundsOf(group.position, part));
+    if (pieces.find_runs(box.low, box.high, radius, runs)) {
+      Smell(group, part, smelt);
+    } else {
+      torn = hn::Or(torn, part);
+    }
+  }
+  return Select(torn, AskEach(term, group, torn), TowardFood(term, group, smelt));
 }
 
 template <int D>
@@ -159,7 +227,7 @@ HWY_INLINE LaneVec<D> Feel(const TermModel& term, const Group<D>& group) {
     case TermKind::flee:
       return AskEach(term, group, hn::AndNot(LoadSum(group, row).is_lonely, group.counted));
     case TermKind::avoid_obstacles:
-      return AskEach(term, group, MayFeelObstacles(term, group));
+      return AvoidObstacles(term, group);
     case TermKind::feed:
       return Feed(term, group);
     default:
@@ -328,9 +396,7 @@ HWY_INLINE void LookAround(Group<D>& group) {
   Motion<D>& motion = group.motion;
   const bool has_obstacles = !motion.scratch.obstacles.empty();
   if (!has_obstacles && !group.flock.feed) return;
-  Bounds<D> bounds = NoBounds<D>();
-  Widen(bounds, group.position, group.counted);
-  group.box = BoxOf(bounds);
+  group.box = BoxOf(BoundsOf(group.position, group.counted));
   if (has_obstacles)
     Select<D>(motion.part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach,
               motion.part.near_obstacles);

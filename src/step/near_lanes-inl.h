@@ -56,6 +56,13 @@ HWY_INLINE void Widen(Bounds<D>& bounds, const LaneVec<D>& places, Lanes_mask ma
 }
 
 template <int D>
+HWY_INLINE Bounds<D> BoundsOf(const LaneVec<D>& places, Lanes_mask mask) {
+  Bounds<D> bounds = NoBounds<D>();
+  Widen(bounds, places, mask);
+  return bounds;
+}
+
+template <int D>
 HWY_INLINE Box BoxOf(const Bounds<D>& bounds) {
   const Floats d;
   Box box;
@@ -64,6 +71,13 @@ HWY_INLINE Box BoxOf(const Bounds<D>& bounds) {
     box.high[static_cast<std::size_t>(axis)] = hn::GetLane(hn::MaxOfLanes(d, bounds.high.at[axis]));
   }
   return box;
+}
+
+// Writes a register, the wanted values first; there is room for it.
+HWY_INLINE void Append(const std::vector<float>& from, std::size_t first, Lanes_mask wanted,
+                       std::vector<float>& to, std::size_t count) {
+  const Floats d;
+  hn::StoreU(hn::Compress(hn::LoadU(d, from.data() + first), wanted), d, to.data() + count);
 }
 
 // Takes those obstacles whose boxes may be within a reach (length) of that box.
@@ -85,11 +99,12 @@ HWY_INLINE void Select(const ObstacleColumns& from, const Wrapping& image, const
     }
     if (hn::AllFalse(d, near)) continue;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      hn::CompressStore(hn::LoadU(d, from.at[axis].data() + first), near, d, to.at[axis].data() + to.count);
-      hn::CompressStore(hn::LoadU(d, from.extent[axis].data() + first), near, d,
-                        to.extent[axis].data() + to.count);
+      Append(from.at[axis], first, near, to.at[axis], to.count);
+      Append(from.extent[axis], first, near, to.extent[axis], to.count);
     }
-    to.count += hn::CompressStore(hn::LoadU(d, from.radius.data() + first), near, d, to.radius.data() + to.count);
+    Append(from.radius, first, near, to.radius, to.count);
+    Append(from.number, first, near, to.number, to.count);
+    to.count += hn::CountTrue(d, near);
   }
 }
 
@@ -147,6 +162,13 @@ HWY_INLINE Lanes_mask MayMeet(const SeenObstacle<D>& seen, const LaneVec<D>& vel
       hn::And(hn::Lt(along, hn::Zero(d)), hn::Gt(seen.distance_squared, size_squared));
   const auto misses = hn::Or(hn::Gt(aside, room), is_behind);
   return hn::Not(hn::And(misses, hn::Gt(speed_squared, hn::Set(d, 1e-30f))));
+}
+
+// A bit for each lane of the mask.
+HWY_INLINE std::uint32_t BitsOf(Lanes_mask mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Floats(), mask, bytes.data());
+  return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -40,6 +40,8 @@ void poison(Scratch& scratch) {
     spoil(part.kernel.spans);
     spoil(part.fallen);
     spoil(part.eaters);
+    spoil(part.lanes_of_obstacles);
+    spoil(part.felt_obstacles);
     spoil(part.food_runs);
     part.block_obstacles.spoil();
     part.near_obstacles.spoil();

@@ -19,7 +19,9 @@ struct PartScratch {
   std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
   std::vector<std::uint32_t> eaters;  ///< slots of those who touch food
   ObstacleColumns block_obstacles, near_obstacles;  ///< near the boids at hand
-  std::vector<Pieces::Run> food_runs;               ///< likewise
+  std::vector<std::uint32_t> lanes_of_obstacles;    ///< who may feel each of them
+  std::vector<std::uint32_t> felt_obstacles;        ///< by one boid
+  std::vector<Pieces::Run> food_runs;               ///< near the boids at hand
   float longest = 0;                  ///< length; the longest way of those looked at
 };
 

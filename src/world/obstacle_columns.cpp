@@ -2,6 +2,7 @@
 #include "world/obstacle_columns.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace sturnus {
@@ -23,6 +24,7 @@ void ObstacleColumns::fit(std::size_t most) {
     for (auto& column : *columns) column.resize(most + spare);
   }
   radius.resize(most + spare);
+  number.resize(most + spare);
 }
 
 void ObstacleColumns::fill(const Model& model, const std::vector<Obstacle>& obstacles) {
@@ -37,6 +39,7 @@ void ObstacleColumns::fill(const Model& model, const std::vector<Obstacle>& obst
     }
     const bool is_sphere = obstacle.kind == ObstacleKind::sphere;
     radius[count] = is_sphere ? 1.0001f * obstacle.radius + slack : infinite;
+    number[count] = std::bit_cast<float>(static_cast<std::uint32_t>(count));
     ++count;
   }
   for (std::size_t i = count; i < radius.size(); ++i) {
@@ -45,6 +48,7 @@ void ObstacleColumns::fill(const Model& model, const std::vector<Obstacle>& obst
       extent[axis][i] = -infinite;
     }
     radius[i] = 0;
+    number[i] = 0;
   }
 }
 

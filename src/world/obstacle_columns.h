@@ -16,6 +16,7 @@ struct ObstacleColumns {
   std::array<std::vector<float>, 3> at;      ///< length; the middle of the box
   std::array<std::vector<float>, 3> extent;  ///< length; half the box's sides
   std::vector<float> radius;                 ///< length; of a sphere, with room for rounding; else infinite
+  std::vector<float> number;                 ///< of the obstacle, its bits
   std::size_t count = 0;
   static constexpr std::size_t spare = 16;  ///< room beyond the last for whole registers
 

@@ -17,6 +17,7 @@ class ObstacleIndex {
   void forget();
 
   bool empty() const { return obstacles_.empty(); }
+  const Obstacle& obstacle(std::uint32_t number) const { return obstacles_[number]; }
   /// All of them; good until the next `fit`.
   const ObstacleColumns& columns() const { return columns_; }
 
