@@ -45,7 +45,7 @@ using SimplePlans =
              Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>;
 using PlansWithOptions =
     PlanList<Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
-             Plan<3, true, fades, heading, fades>>;
+             Plan<3, true, fades, heading, fades>, Plan<3, true, fades, constant, velocity, grows>>;
 #endif
 
 template <int D>

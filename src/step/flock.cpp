@@ -161,8 +161,8 @@ Asked ask(const Model& model, const State& state, Scratch& scratch, const Worker
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
   Boids boids = boids_of(model, state, scratch);
   if (model.flocks.size() > 1) {
-    find_present(boids, workers, scratch.present);
-    boids.present = scratch.present.data();
+    find_stretches(boids, workers, scratch.stretches);
+    boids.stretches = scratch.stretches.data();
   }
   if (model.uses_totals)
     population_totals<D>(boids, model.flocks.size(), workers, scratch.total_parts, scratch.totals);

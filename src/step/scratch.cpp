@@ -33,7 +33,7 @@ void poison(Scratch& scratch) {
   spoil(scratch.totals);
   spoil(scratch.total_parts);
   spoil(scratch.watched);
-  spoil(scratch.present);
+  spoil(scratch.stretches);
   spoil(scratch.batches);
   spoil(scratch.weights);
   for (PartScratch& part : scratch.parts) {

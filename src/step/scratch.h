@@ -52,7 +52,7 @@ struct Scratch {
   std::vector<Totals> totals, total_parts;
   Passes passes;
   std::vector<std::uint32_t> watched;  ///< slots of those in play whose flocks are looked at, by id
-  std::vector<std::uint64_t> present;  ///< flocks in each stretch of boids, where there are several
+  std::vector<Stretch> stretches;      ///< of boids, where there are several flocks
   std::vector<Span> batches;           ///< of boids that are steered at once
   std::vector<std::uint64_t> weights;  ///< of blocks of batches, added up
   std::vector<PartScratch> parts;
