@@ -105,7 +105,8 @@ bool Pieces::find_runs(const std::array<float, 3>& low, const std::array<float, 
   }
   for (int k = 0; k < ranges[2].count; ++k) {
     for (int j = 0; j < ranges[1].count; ++j)
-      add_runs((cell_on(2, ranges[2], k) * cells_[1] + cell_on(1, ranges[1], j)) * cells_[0], ranges[0], runs);
+      add_runs((cell_on(2, ranges[2], k) * cells_[1] + cell_on(1, ranges[1], j)) * cells_[0], ranges[0],
+               runs);
   }
   return true;
 }

@@ -57,7 +57,9 @@ class Pieces {
   struct Range {
     int first = 0, count = 1;
   };
-  Range range(std::size_t axis, float coordinate, float radius) const { return range(axis, coordinate, coordinate, radius); }
+  Range range(std::size_t axis, float coordinate, float radius) const {
+    return range(axis, coordinate, coordinate, radius);
+  }
   Range range(std::size_t axis, float low, float high, float radius) const;
   void add_runs(std::size_t row, const Range& along, std::vector<Run>& runs) const;
   std::size_t cell_on(std::size_t axis, const Range& range, int i) const {

@@ -97,8 +97,7 @@ HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_
     filters.has_rings |= filter.inner_squared > 0;
     filters.has_views |= !filter.sees_all;
     const bool steered = (batch.boids->flock_bit(slot) & batch.steered) != 0;
-    filters.asks_flocks |=
-        batch.boids->hidden != nullptr || (steered && (batch.near & ~filter.flocks) != 0);
+    filters.asks_flocks |= batch.boids->hidden != nullptr || (steered && (batch.near & ~filter.flocks) != 0);
     for (std::uint64_t left = batch.boids->flocks; left != 0; left &= left - 1) {
       const auto flock = static_cast<std::size_t>(std::countr_zero(left));
       filters.looks[f][flock][lane] = (filter.flocks >> flock & 1) != 0 ? 1.0f : 0.0f;

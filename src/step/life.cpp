@@ -92,7 +92,8 @@ class Bodies {
     std::optional<std::size_t> best;
     float least = 0;
     pieces.visit<D>(
-        at<D>(state_.position, feeder), touch_of(own), [&](std::uint32_t piece, std::uint8_t kind, const Vec<D>& o) {
+        at<D>(state_.position, feeder), touch_of(own),
+        [&](std::uint32_t piece, std::uint8_t kind, const Vec<D>& o) {
           const float d2 = dot(o, o);
           if (kind != own.feed->kind || uneaten[piece] == 0) return;
           if (best && !(d2 < least || (d2 == least && state_.food.id[piece] < state_.food.id[*best]))) return;
@@ -116,7 +117,8 @@ class Bodies {
   void visit_feeders(std::size_t piece, int part, F&& f) const {
     float longest = 0;
     for (const FlockModel& flock : model_.flocks) {
-      if (flock.feed && flock.feed->kind == state_.food.kind[piece]) longest = std::max(longest, touch_of(flock));
+      if (flock.feed && flock.feed->kind == state_.food.kind[piece])
+        longest = std::max(longest, touch_of(flock));
     }
     const auto place = at<D>(state_.food.position, piece);
     moved_.visit(place, longest, spans_of(part), [&](std::size_t i) {
@@ -137,9 +139,7 @@ class Bodies {
     for (const FlockModel& prey : model_.flocks) longest = std::max(longest, prey.body_radius);
     return hunter.body_radius + longest;
   }
-  std::vector<Span>& spans_of(int part) const {
-    return parts_[static_cast<std::size_t>(part)].kernel.spans;
-  }
+  std::vector<Span>& spans_of(int part) const { return parts_[static_cast<std::size_t>(part)].kernel.spans; }
 
   const Model& model_;
   const State& state_;

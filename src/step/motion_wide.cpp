@@ -161,8 +161,7 @@ HWY_INLINE void Smell(const Group<D>& group, Lanes_mask who, Smelt<D>& smelt) {
       std::array<float, 3> place{};
       for (std::size_t axis = 0; axis < D; ++axis) place[axis] = pieces.coordinate_at(axis, i);
       const LaneVec<D> o = Offset(group.position, Everywhere<D>(place), group.motion.image);
-      const auto smells =
-          hn::And(who, hn::Le(Squared<D>(o.at), hn::Set(d, feed.radius * feed.radius)));
+      const auto smells = hn::And(who, hn::Le(Squared<D>(o.at), hn::Set(d, feed.radius * feed.radius)));
       if (hn::AllFalse(d, smells)) continue;
       const LaneVec<D> toward = feed.form == SteeringForm::linear ? o : Heading(o);
       smelt.sum = Select(smells, Sum(smelt.sum, toward), smelt.sum);
@@ -394,12 +393,11 @@ HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std:
 template <int D>
 HWY_INLINE void LookAround(Group<D>& group) {
   Motion<D>& motion = group.motion;
-  const bool has_obstacles = !motion.scratch.obstacles.empty();
-  if (!has_obstacles && !group.flock.feed) return;
+  motion.part.near_obstacles.count = 0;
+  if (motion.part.block_obstacles.count == 0 && !group.flock.feed) return;
   group.box = BoxOf(BoundsOf(group.position, group.counted));
-  if (has_obstacles)
-    Select<D>(motion.part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach,
-              motion.part.near_obstacles);
+  Select<D>(motion.part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach,
+            motion.part.near_obstacles);
 }
 
 template <int D>
@@ -420,10 +418,18 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
   }
 }
 
-// The obstacles that somebody of the stretch may be near to.
+inline bool LooksForObstacles(const FlockModel& flock) {
+  return std::any_of(flock.terms.begin(), flock.terms.end(),
+                     [](const TermModel& term) { return term.kind == TermKind::avoid_obstacles; });
+}
+
+// The obstacles that somebody of the stretch may feel.
 template <int D>
 HWY_INLINE void LookFar(Motion<D>& motion, std::size_t begin, std::size_t end) {
-  if (motion.scratch.obstacles.empty()) return;
+  const auto& flocks = motion.model.flocks;
+  motion.part.block_obstacles.count = 0;
+  if (motion.scratch.obstacles.empty() || std::none_of(flocks.begin(), flocks.end(), LooksForObstacles))
+    return;
   Bounds<D> bounds = NoBounds<D>();
   for (std::size_t first = begin; first < end; first += width) {
     const LaneVec<D> places = LoadVec<D>(motion.state.position, std::min(first, end - width));

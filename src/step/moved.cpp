@@ -23,7 +23,8 @@ float LongestWay(const Columns& from, const Columns& to, const Wrapping& image, 
   Lanes most = hn::Zero(d);
   for (std::size_t first = begin; first < end; first += width) {
     const std::size_t count = std::min<std::size_t>(width, end - first);
-    const LaneVec<D> way = Offset(LoadSomeVec<D>(from, first, count), LoadSomeVec<D>(to, first, count), image);
+    const LaneVec<D> way =
+        Offset(LoadSomeVec<D>(from, first, count), LoadSomeVec<D>(to, first, count), image);
     const Lanes squared = Squared<D>(way.at);
     most = hn::Max(most, hn::IfThenElseZero(hn::Le(squared, hn::Set(d, 1e38f)), squared));
   }

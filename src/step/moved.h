@@ -18,7 +18,9 @@ template <int D>
 class Moved {
  public:
   Moved(const Model& model, const State& state, Scratch& scratch, const Workers& workers)
-      : index_(scratch.is_indexed ? scratch.index.get() : nullptr), reach_(model.reach), count_(state.size()) {
+      : index_(scratch.is_indexed ? scratch.index.get() : nullptr),
+        reach_(model.reach),
+        count_(state.size()) {
     if (index_ == nullptr) return;
     for (PartScratch& part : scratch.parts) part.longest = 0;
     workers.for_ranges(count_, [&](std::size_t begin, std::size_t end, int part) {

@@ -1,5 +1,5 @@
-// Who of a register of boids may be near an obstacle: whoever is not has nothing to ask. Included once for every
-// instruction set.
+// Who of a register of boids may be near an obstacle: whoever is not has nothing to ask. Included once for
+// every instruction set.
 #if defined(STURNUS_NEAR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef STURNUS_NEAR_LANES_INL_H
 #undef STURNUS_NEAR_LANES_INL_H
@@ -92,7 +92,8 @@ HWY_INLINE void Select(const ObstacleColumns& from, const Wrapping& image, const
     for (std::size_t axis = 0; axis < D; ++axis) {
       const float low = box.low[axis], high = box.high[axis];
       const float room = 0.5f * (high - low) + 1.0001f * reach + 1e-5f * (std::abs(low) + std::abs(high));
-      Lanes o = hn::Abs(hn::Sub(hn::LoadU(d, from.at[axis].data() + first), hn::Set(d, low + 0.5f * (high - low))));
+      Lanes o =
+          hn::Abs(hn::Sub(hn::LoadU(d, from.at[axis].data() + first), hn::Set(d, low + 0.5f * (high - low))));
       if (image.wraps) o = hn::Min(o, hn::Abs(hn::Sub(hn::Set(d, image.size[axis]), o)));
       const Lanes most = hn::Add(hn::LoadU(d, from.extent[axis].data() + first), hn::Set(d, room));
       near = hn::AndNot(hn::Gt(o, most), near);
@@ -158,8 +159,7 @@ HWY_INLINE Lanes_mask MayMeet(const SeenObstacle<D>& seen, const LaneVec<D>& vel
   const Lanes all = hn::Mul(seen.distance_squared, speed_squared);
   const Lanes aside = hn::Sub(all, hn::Mul(along, along));
   const Lanes room = hn::Add(hn::Mul(size_squared, speed_squared), hn::Mul(all, hn::Set(d, 1e-5f)));
-  const auto is_behind =
-      hn::And(hn::Lt(along, hn::Zero(d)), hn::Gt(seen.distance_squared, size_squared));
+  const auto is_behind = hn::And(hn::Lt(along, hn::Zero(d)), hn::Gt(seen.distance_squared, size_squared));
   const auto misses = hn::Or(hn::Gt(aside, room), is_behind);
   return hn::Not(hn::And(misses, hn::Gt(speed_squared, hn::Set(d, 1e-30f))));
 }

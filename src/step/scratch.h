@@ -16,13 +16,13 @@ namespace sturnus {
 struct PartScratch {
   KernelScratch kernel;
   SumBlock sums;
-  std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
-  std::vector<std::uint32_t> eaters;  ///< slots of those who touch food
+  std::vector<std::uint32_t> fallen;                ///< boids that went bad in this step
+  std::vector<std::uint32_t> eaters;                ///< slots of those who touch food
   ObstacleColumns block_obstacles, near_obstacles;  ///< near the boids at hand
   std::vector<std::uint32_t> lanes_of_obstacles;    ///< who may feel each of them
   std::vector<std::uint32_t> felt_obstacles;        ///< by one boid
   std::vector<Pieces::Run> food_runs;               ///< near the boids at hand
-  float longest = 0;                  ///< length; the longest way of those looked at
+  float longest = 0;                                ///< length; the longest way of those looked at
 };
 
 /// Those who hunt, in the order of storage, and where each is pulled.

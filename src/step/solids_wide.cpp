@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 
 // The way of each lane in this step (length), a little more for the sake of rounding.
 template <int D>
-HWY_INLINE Lanes WayOf(const Motion<D>& motion, const LaneVec<D>& from, std::size_t first, std::size_t count) {
+HWY_INLINE Lanes WayOf(const Motion<D>& motion, const LaneVec<D>& from, std::size_t first,
+                       std::size_t count) {
   const LaneVec<D> to = LoadSomeVec<D>(motion.scratch.previous_position, first, count);
   return hn::Mul(hn::Set(Floats(), 1.0001f), Length(Offset(from, to, motion.image)));
 }
