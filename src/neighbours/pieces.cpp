@@ -96,6 +96,7 @@ void Pieces::add_runs(std::size_t row, const Range& along, std::vector<Run>& run
 bool Pieces::find_runs(const std::array<float, 3>& low, const std::array<float, 3>& high, float radius,
                        std::vector<Run>& runs) const {
   runs.clear();
+  runs.reserve(slot_.size());
   if (slot_.empty()) return true;
   std::array<Range, 3> ranges{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions_); ++axis) {

@@ -438,6 +438,8 @@ HWY_INLINE void LookFar(Motion<D>& motion, std::size_t begin, std::size_t end) {
   const ObstacleColumns& all = motion.scratch.obstacles.columns();
   motion.part.block_obstacles.fit(all.count);
   motion.part.near_obstacles.fit(all.count);
+  motion.part.lanes_of_obstacles.reserve(all.count);
+  motion.part.felt_obstacles.reserve(all.count);
   Select<D>(all, motion.image, BoxOf(bounds), motion.model.obstacle_reach, motion.part.block_obstacles);
 }
 

@@ -39,7 +39,7 @@ Coordinates place_in(Dice& dice, int dimensions, double world) {
   return at;
 }
 
-ObstacleDef some_obstacles(Dice& dice, int dimensions, double world) {
+ObstacleDef some_obstacles(Dice& dice, int dimensions, double world, bool wraps) {
   ObstacleDef out;
   for (int i = 0; i < 6; ++i) {
     out.spheres.push_back(place_in(dice, dimensions, world));
@@ -51,7 +51,7 @@ ObstacleDef some_obstacles(Dice& dice, int dimensions, double world) {
       box.push_back(box[static_cast<std::size_t>(axis)] + dice.number(0.01, 0.2) * world);
     out.boxes.push_back(box);
   }
-  if (dice.number(0, 1) < 0.2) {
+  if (!wraps && dice.coin()) {
     Coordinates plane(static_cast<std::size_t>(dimensions), 0.1 * world);
     for (int axis = 0; axis < dimensions; ++axis) plane.push_back(axis == 0 ? 1 : dice.number(-0.2, 0.2));
     out.planes.push_back(plane);
@@ -89,7 +89,11 @@ FlockDef hunters(Dice& dice, double world) {
   flock.count = dice.coin() ? 2 : 30;
   flock.flee = {};
   flock.feed = {};
-  if (dice.coin()) flock.separation = flock.alignment = flock.cohesion = {};
+  if (dice.coin()) {
+    flock.separation = {};
+    flock.alignment = {};
+    flock.cohesion = {};
+  }
   flock.hunt = Hunt{.prey = {"prey"}, .sight = length_in(dice, world)};
   flock.hunger = Hunger{.full_for = 2};
   return flock;
@@ -106,10 +110,14 @@ ScenarioDef living_world(unsigned seed) {
   scenario.space.boundary.kind =
       dice.one_of({BoundaryKind::wrap, BoundaryKind::wrap, BoundaryKind::open, BoundaryKind::bounce});
   scenario.index.kind = dice.one_of({IndexKind::grid, IndexKind::grid, IndexKind::tree});
-  scenario.obstacles = {some_obstacles(dice, dimensions, world)};
+  const bool wraps = scenario.space.boundary.kind == BoundaryKind::wrap;
+  scenario.obstacles = {some_obstacles(dice, dimensions, world, wraps)};
   scenario.flocks = {prey(dice, world), hunters(dice, world)};
   if (dice.coin()) std::swap(scenario.flocks[0], scenario.flocks[1]);
-  scenario.food = {{.name = "food", .count = dice.coin() ? 5 : 200, .body_radius = 0.01 * world}};
+  FoodDef food;
+  food.count = dice.coin() ? 5 : 200;
+  food.body_radius = 0.01 * world;
+  scenario.food = {food};
   return scenario;
 }
 
