@@ -206,6 +206,15 @@ def living_verdicts(figures):
                f"at most {target}x", times(value), verdict(value, target, at_most=True)]
 
 
+def colour_text(figures):
+    added = []
+    for dimensions in DIMENSIONS:
+        plain, drifting = (only(select(figures["living"], dimensions=dimensions, world=world))
+                           for world in ("with hunters, obstacles and food", "and with colours that drift"))
+        added.append(f"{number(median_ns(drifting) - median_ns(plain))} ns in {dimensions}D")
+    return f"Colours that drift add {' and '.join(added)} for each boid and step: one more sum over the neighbours."
+
+
 def living_section(figures):
     return f"""## A living world
 
@@ -214,7 +223,9 @@ solid obstacles (spheres with radii from 5 to 15, in 3D from 2 to 6) and smell 5
 the base case with as many boids, and the same living world where each boid's colour drifts toward its neighbours' with a little noise.
 Turns of ten steps. `sturnus bench bench-living-2d --threads 1` and `sturnus bench bench-2d --boids 1e5 --threads 1` measure the same.
 
-{living_text(figures)}"""
+{living_text(figures)}
+{colour_text(figures)}
+"""
 
 
 def sixty_text(figures):
