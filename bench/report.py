@@ -212,7 +212,7 @@ def colour_text(figures):
         plain, drifting = (only(select(figures["living"], dimensions=dimensions, world=world))
                            for world in ("with hunters, obstacles and food", "and with colours that drift"))
         added.append(f"{number(median_ns(drifting) - median_ns(plain))} ns in {dimensions}D")
-    return f"Colours that drift add {' and '.join(added)} for each boid and step: one more sum over the neighbours."
+    return f"Colours that drift add {' and '.join(added)} for each boid and step."
 
 
 def living_section(figures):
