@@ -24,6 +24,7 @@ const std::vector<Section> sections = {{"yardsticks", measure_yardsticks},
                                        {"indexes", measure_indexes},
                                        {"dense", measure_dense},
                                        {"clumps", measure_clumps},
+                                       {"living", measure_living},
                                        {"sixty", measure_sixty}};
 
 struct Words {

@@ -29,6 +29,9 @@ DENSE_TARGETS = {
     ("linear at r", 10_000): (6, 4),
 }
 
+# A living world against the flock alone, 100 000 boids: at most so many times slower.
+LIVING_TARGETS = (2, 1.5)
+
 ABOUT_YARDSTICKS = {
     "all pairs": "array of structs, every boid looks at every other; the nearest image by comparison, in the fastest of "
                  "five spellings",
@@ -139,7 +142,7 @@ def dense_verdicts(figures):
 
 def verdicts_text(figures):
     rows = [*yardstick_verdicts(figures), *growth_verdicts(figures), *threads_verdicts(figures),
-            *dense_verdicts(figures)]
+            *dense_verdicts(figures), *living_verdicts(figures)]
     return table(["against", "", "wanted", "measured", ""], rows)
 
 
@@ -187,6 +190,42 @@ def threads_text(figures):
                      f"`{row['hash']}`"])
     return table(["", "boids", "threads", "wall, ms", "busiest, ms", "sort + neighbours + motion", "by wall", "by CPU",
                   "hash"], rows)
+
+
+def living_text(figures):
+    rows = [[f"{row['dimensions']}D", row["world"], timing(row), times(row["ratio"]["of_medians"]), f"`{row['hash']}`"]
+            for row in figures["living"]]
+    return table(["", "", "ns per boid and step", "of the flock alone", "hash"], rows)
+
+
+def living_verdicts(figures):
+    for dimensions, target in zip(DIMENSIONS, LIVING_TARGETS):
+        row = only(select(figures["living"], dimensions=dimensions, world="with hunters, obstacles and food"))
+        value = row and row["ratio"]["of_medians"]
+        yield ["a flock with hunters, obstacles and food against the flock alone", f"{dimensions}D",
+               f"at most {target}x", times(value), verdict(value, target, at_most=True)]
+
+
+def colour_text(figures):
+    added = []
+    for dimensions in DIMENSIONS:
+        plain, drifting = (only(select(figures["living"], dimensions=dimensions, world=world))
+                           for world in ("with hunters, obstacles and food", "and with colours that drift"))
+        added.append(f"{number(median_ns(drifting) - median_ns(plain))} ns in {dimensions}D")
+    return f"Colours that drift add {' and '.join(added)} for each boid and step."
+
+
+def living_section(figures):
+    return f"""## A living world
+
+The scenarios `bench-living-2d` and `bench-living-3d`: 100 000 boids of the base case that flee 20 hunters within 10, look 30 ahead for 200
+solid obstacles (spheres with radii from 5 to 15, in 3D from 2 to 6) and smell 500 pieces of food within 20; nobody is born. Beside them
+the base case with as many boids, and the same living world where each boid's colour drifts toward its neighbours' with a little noise.
+Turns of ten steps. `sturnus bench bench-living-2d --threads 1` and `sturnus bench bench-2d --boids 1e5 --threads 1` measure the same.
+
+{living_text(figures)}
+{colour_text(figures)}
+"""
 
 
 def sixty_text(figures):
@@ -267,6 +306,7 @@ sum over pairs. A line ends where a step would take seconds.
 {paths_text(figures['clumps'], 'boids')}
 ![Milliseconds per step for clumps](images/speed-clumps.png)
 
+{living_section(figures)}
 ## How many boids at 60 steps a second
 
 The rules and the world of the scenario `quadtree` without its noise, which no two programs draw alike, after a second of flocking; wall

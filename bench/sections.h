@@ -22,6 +22,8 @@ Json measure_indexes(Effort effort);
 Json measure_dense(Effort effort);
 /// The whole flock inside one radius: the sparse and the dense path.
 Json measure_clumps(Effort effort);
+/// What hunters, obstacles, food and drifting colours cost.
+Json measure_living(Effort effort);
 /// How many boids can be stepped sixty times a second.
 Json measure_sixty(Effort effort);
 

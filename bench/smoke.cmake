@@ -27,7 +27,7 @@ function(expect section key)
   endforeach()
 endfunction()
 
-foreach(section yardsticks sizes neighbours instruction_sets threads indexes dense clumps)
+foreach(section yardsticks sizes neighbours instruction_sets threads indexes dense clumps living)
   expect(${section} dimensions 2 3)
 endforeach()
 expect(yardsticks yardstick "all pairs" "scalar grid" "nanoflann" "pointer tree")

@@ -157,6 +157,22 @@ void add_neighbours(const Walk& walk, const Target<D>& target, std::span<Running
 
 }  // namespace
 
+void find_stretches(const Boids& boids, const Workers& workers, std::vector<Stretch>& stretches) {
+  stretches.resize((boids.count + batch_size - 1) / batch_size);
+  workers.for_ranges(stretches.size(), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t stretch = begin; stretch < end; ++stretch) {
+      const std::size_t last = std::min<std::size_t>(boids.count, (stretch + 1) * batch_size);
+      std::uint64_t found = 0;
+      for (std::size_t i = stretch * batch_size; i < last; ++i) found |= boids.flock_bit(i);
+      stretches[stretch].flocks = found;
+    }
+  });
+  for (std::size_t i = stretches.size(); i-- > 0;) {
+    const bool goes_on = i + 1 < stretches.size() && stretches[i].flocks == stretches[i + 1].flocks;
+    stretches[i].next = goes_on ? stretches[i + 1].next : i + 1;
+  }
+}
+
 template <int D>
 Summed summed_by(const NeighbourRow& row, const Boids& boids) {
   switch (row.quantity) {

@@ -8,6 +8,12 @@
 
 namespace sturnus {
 
+/// Some boids that stand one after the other.
+struct Stretch {
+  std::uint64_t flocks = 0;  ///< a bit for every flock that has somebody visible here
+  std::uint64_t next = 0;    ///< number of the next stretch with other flocks
+};
+
 /// Boids as the kernel sees them; pointers are to `count` values, null where unused.
 struct Boids {
   std::size_t count = 0;
@@ -19,11 +25,23 @@ struct Boids {
   const std::uint8_t* flock = nullptr;
   const std::uint8_t* hidden = nullptr;  ///< 1: a boid that nobody may see; null where nobody is hidden
   std::uint64_t flocks = 0;              ///< a bit for every flock that a boid may belong to
+  const Stretch* stretches = nullptr;    ///< of `batch_size` boids each; null: nobody has looked
 
   bool is_hidden(std::size_t i) const { return hidden != nullptr && hidden[i] != 0; }
   /// 1 << flock, or 0 for a boid that nobody may see.
   std::uint64_t flock_bit(std::size_t i) const { return is_hidden(i) ? 0 : std::uint64_t{1} << flock[i]; }
+  /// All flocks that somebody visible of [begin, end) belongs to, and maybe some of those who stand beside.
+  std::uint64_t flocks_in(std::size_t begin, std::size_t end) const {
+    if (stretches == nullptr) return flocks;
+    std::uint64_t found = 0;
+    for (std::size_t i = begin / batch_size; i * batch_size < end; i = stretches[i].next)
+      found |= stretches[i].flocks;
+    return found;
+  }
 };
+
+/// Finds which flocks are present in each stretch of the boids.
+void find_stretches(const Boids& boids, const Workers& workers, std::vector<Stretch>& stretches);
 
 /// One row's answer for one boid.
 struct NeighbourSum {

@@ -65,19 +65,51 @@ void Pieces::build(const Food& food, int dimensions, const Wrapping& image, cons
   }
 }
 
-Pieces::Range Pieces::range(std::size_t axis, float coordinate, float radius) const {
+Pieces::Range Pieces::range(std::size_t axis, float low, float high, float radius) const {
   const auto count = static_cast<double>(cells_[axis]);
-  const double at = double{coordinate} - low_[axis];
   // With room for the rounding of offsets in float.
-  const double wide = 1.0001 * double{radius} + 1e-6 * (std::abs(at) + std::abs(low_[axis]));
-  const double first = std::floor((at - wide) / width_[axis]);
-  const double last = std::floor((at + wide) / width_[axis]);
+  const auto wide = [&](double at) {
+    return 1.0001 * double{radius} + 1e-6 * (std::abs(at) + std::abs(low_[axis]));
+  };
+  const double from = double{low} - low_[axis], to = double{high} - low_[axis];
+  const double first = std::floor((from - wide(from)) / width_[axis]);
+  const double last = std::floor((to + wide(to)) / width_[axis]);
   if (image_.wraps) {
     if (!(last - first + 1 < count)) return {0, static_cast<int>(cells_[axis])};
     return {static_cast<int>(first < 0 ? first + count : first), static_cast<int>(last - first) + 1};
   }
-  const double from = std::clamp(first, 0.0, count - 1);
-  return {static_cast<int>(from), static_cast<int>(std::clamp(last, 0.0, count - 1) - from) + 1};
+  const double begin = std::clamp(first, 0.0, count - 1);
+  return {static_cast<int>(begin), static_cast<int>(std::clamp(last, 0.0, count - 1) - begin) + 1};
+}
+
+void Pieces::add_runs(std::size_t row, const Range& along, std::vector<Run>& runs) const {
+  const auto add = [&](std::size_t first, std::size_t last) {
+    const Run run{begin_[row + first], begin_[row + last]};
+    if (run.begin != run.end) runs.push_back(run);
+  };
+  const auto first = static_cast<std::size_t>(along.first);
+  const std::size_t last = first + static_cast<std::size_t>(along.count);
+  add(first, std::min(last, cells_[0]));
+  if (last > cells_[0]) add(0, last - cells_[0]);
+}
+
+bool Pieces::find_runs(const std::array<float, 3>& low, const std::array<float, 3>& high, float radius,
+                       std::vector<Run>& runs) const {
+  runs.clear();
+  runs.reserve(slot_.size());
+  if (slot_.empty()) return true;
+  std::array<Range, 3> ranges{};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions_); ++axis) {
+    ranges[axis] = range(axis, low[axis], high[axis], radius);
+    // Somebody's own cells may then begin in the middle of these.
+    if (image_.wraps && static_cast<std::size_t>(ranges[axis].count) == cells_[axis]) return false;
+  }
+  for (int k = 0; k < ranges[2].count; ++k) {
+    for (int j = 0; j < ranges[1].count; ++j)
+      add_runs((cell_on(2, ranges[2], k) * cells_[1] + cell_on(1, ranges[1], j)) * cells_[0], ranges[0],
+               runs);
+  }
+  return true;
 }
 
 void Pieces::spoil() {

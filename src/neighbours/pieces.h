@@ -36,6 +36,19 @@ class Pieces {
     }
   }
 
+  /// Pieces [begin, end) in the order of the cells.
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  /// The runs of pieces that may be within the radius of somebody in the box from `low` to `high`. For each
+  /// who stands there they come in the order in which `visit` tells of them; false where that can't be had,
+  /// and `runs` means nothing.
+  bool find_runs(const std::array<float, 3>& low, const std::array<float, 3>& high, float radius,
+                 std::vector<Run>& runs) const;
+  /// Of the piece at a place in that order.
+  std::uint8_t kind_at(std::uint32_t i) const { return kind_[i]; }
+  float coordinate_at(std::size_t axis, std::uint32_t i) const { return position_[axis][i]; }
+
   /// Fills all with garbage.
   void spoil();
 
@@ -44,7 +57,11 @@ class Pieces {
   struct Range {
     int first = 0, count = 1;
   };
-  Range range(std::size_t axis, float coordinate, float radius) const;
+  Range range(std::size_t axis, float coordinate, float radius) const {
+    return range(axis, coordinate, coordinate, radius);
+  }
+  Range range(std::size_t axis, float low, float high, float radius) const;
+  void add_runs(std::size_t row, const Range& along, std::vector<Run>& runs) const;
   std::size_t cell_on(std::size_t axis, const Range& range, int i) const {
     const auto cell = static_cast<std::size_t>(range.first + i);
     return cell < cells_[axis] ? cell : cell - cells_[axis];

@@ -98,6 +98,30 @@ bool same_shape(const WideProgram& one, const WideProgram& other) {
                     other.rows.begin() + other.row_count);
 }
 
+bool has_idle_rows(const WideProgram& program, std::uint64_t flocks) {
+  return std::any_of(program.filters.begin(), program.filters.begin() + program.filter_count,
+                     [flocks](const WideFilter& filter) { return (filter.flocks & flocks) == 0; });
+}
+
+WideProgram without_idle_rows(const WideProgram& program, std::uint64_t flocks) {
+  WideProgram out;
+  out.empty_rows = program.empty_rows;
+  std::array<std::uint8_t, WideProgram::most> numbers{};
+  for (std::size_t f = 0; f < program.filter_count; ++f) {
+    numbers[f] = static_cast<std::uint8_t>(out.filter_count);
+    if ((program.filters[f].flocks & flocks) != 0) out.filters[out.filter_count++] = program.filters[f];
+  }
+  for (std::size_t r = 0; r < program.row_count; ++r) {
+    const WideRow& row = program.rows[r];
+    if ((program.filters[row.filter].flocks & flocks) == 0) {
+      out.empty_rows |= std::uint64_t{1} << row.row;
+    } else {
+      out.rows[out.row_count++] = {numbers[row.filter], row.addend, row.row};
+    }
+  }
+  return out;
+}
+
 bool use_isa(Isa isa) {
   hwy::SetSupportedTargetsForTest(0);
   const std::int64_t wanted = target_of(isa);

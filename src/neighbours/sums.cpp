@@ -1,5 +1,7 @@
 // Batch by batch: who may be near, and which kernel sums them.
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "neighbours/kernel.h"
 #include "neighbours/passes.h"
@@ -25,7 +27,8 @@ struct Members {
 };
 
 Members members_of(const Boids& boids, Span batch) {
-  if (boids.hidden == nullptr && (boids.flocks & (boids.flocks - 1)) == 0) return {boids.flocks, false};
+  const std::uint64_t present = boids.flocks_in(batch.begin, batch.end);
+  if (boids.hidden == nullptr && std::has_single_bit(present)) return {present, false};
   std::uint64_t any = 0;
   std::uint64_t all = ~std::uint64_t{0};
   for (std::size_t j = batch.begin; j < batch.end; ++j) {
@@ -33,6 +36,41 @@ Members members_of(const Boids& boids, Span batch) {
     all &= boids.flock_bit(j);
   }
   return {any, any != all};
+}
+
+// A batch's box, and how far its boids look (length).
+struct Look {
+  const Box& box;
+  float reach;
+  const Wrapping& image;
+};
+
+// Whether somebody may be within the reach of a place in the box; a little more for the sake of rounding.
+template <int D>
+bool may_be_near(const Boids& boids, std::size_t i, const Look& look) {
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const float low = look.box.low[axis], high = look.box.high[axis];
+    const float room = 0.5f * (high - low) + 1.0001f * look.reach + 1e-5f * (std::abs(low) + std::abs(high));
+    float o = std::abs(boids.position[axis][i] - (low + 0.5f * (high - low)));
+    if (look.image.wraps && o > look.image.half[axis]) o = std::abs(look.image.size[axis] - o);
+    if (o > room + 1e-5f * look.image.size[axis]) return false;
+  }
+  return true;
+}
+
+// The flocks that boids of a batch may have neighbours of. Those of its own flocks need not be asked, and
+// others only until one of theirs is found near.
+template <int D>
+std::uint64_t flocks_near(const Boids& boids, std::uint64_t own, std::span<const Span> spans,
+                          const Look& look) {
+  std::uint64_t near = own;
+  for (const Span& span : spans) {
+    if ((boids.flocks_in(span.begin, span.end) & ~near) == 0) continue;
+    for (std::size_t i = span.begin; i < span.end; ++i) {
+      if ((boids.flock_bit(i) & ~near) != 0 && may_be_near<D>(boids, i, look)) near |= boids.flock_bit(i);
+    }
+  }
+  return near;
 }
 
 // Whom the kernel has to ask; who comes in whole cells is left in the scratch.
@@ -50,17 +88,25 @@ std::span<const Span> find_candidates(const NeighbourIndex* index, const Box& bo
 
 template <int D>
 void wide_batch(const Boids& boids, Span batch, const Members& members, std::span<const Span> spans,
-                const Wrapping& image, const SumPass& pass, SumBlock& sums) {
+                const Look& look, const SumPass& pass, SumBlock& sums) {
   WideBatch wide;
   wide.boids = &boids;
   wide.targets = batch;
   wide.spans = spans;
   wide.few = is_few<D>(candidates(spans), pass);
-  wide.image = image;
+  wide.image = look.image;
+  wide.near = flocks_near<D>(boids, members.flocks, spans, look);
   wide.programs = pass.programs.data();
   wide.steered = pass.steered & members.flocks;
   wide.is_mixed = members.is_mixed;
+  wide.program = wide.programs + std::countr_zero(wide.steered);
   wide.sums = &sums;
+  // Hunters are few, and most boids have none near: their sums cost no more than without hunters.
+  WideProgram without;
+  if (!wide.is_mixed && has_idle_rows(*wide.program, wide.near)) {
+    without = without_idle_rows(*wide.program, wide.near);
+    wide.program = &without;
+  }
   wide_sums<D>(wide);
 }
 
@@ -81,7 +127,7 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
       const auto spans = find_candidates(question.index, box, pass, scratch);
       scratch.pairs += std::uint64_t{batch.end - batch.begin} * candidates(spans);
       if (question.passes->are_wide()) {
-        wide_batch<D>(targets, batch, members, spans, image, pass, sums);
+        wide_batch<D>(targets, batch, members, spans, {box, pass.reach, image}, pass, sums);
       } else {
         sum_batch<D>(targets, batch, sources, spans, question, pass, scratch, sums);
       }

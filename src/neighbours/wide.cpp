@@ -20,7 +20,7 @@ bool HasOptions(const WideBatch& batch, const WideProgram& program) {
   for (std::size_t f = 0; f < program.filter_count; ++f) {
     const WideFilter& filter = program.filters[f];
     if (filter.inner_squared > 0 || !filter.sees_all) return true;
-    if ((batch.boids->flocks & ~filter.flocks) != 0) return true;
+    if ((batch.near & ~filter.flocks) != 0) return true;
   }
   return false;
 }
@@ -45,12 +45,13 @@ using SimplePlans =
              Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>;
 using PlansWithOptions =
     PlanList<Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
-             Plan<3, true, fades, heading, fades>>;
+             Plan<3, true, fades, heading, fades>, Plan<3, true, fades, constant, velocity, grows>>;
 #endif
 
 template <int D>
 void SumBatch(const WideBatch& batch) {
-  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  const WideProgram& program = *batch.program;
+  if (program.row_count == 0) return StoreNothing(batch);
   const bool done = HasOptions(batch, program) ? PlansWithOptions::Sum<D>(batch, program)
                                                : SimplePlans::Sum<D>(batch, program);
   if (!done) SumBatchAny<D>(batch);

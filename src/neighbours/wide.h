@@ -50,6 +50,11 @@ std::optional<WideProgram> wide_program(const FlockModel& flock, std::uint64_t r
 /// Whether two programs differ in numbers only, so that their boids can stand in lanes side by side.
 bool same_shape(const WideProgram& one, const WideProgram& other);
 
+/// Whether some row looks at nobody of those flocks.
+bool has_idle_rows(const WideProgram& program, std::uint64_t flocks);
+/// The program without such rows: they are nobody's sums.
+WideProgram without_idle_rows(const WideProgram& program, std::uint64_t flocks);
+
 /// One batch: targets and sources are the same boids, in the same arrays.
 struct WideBatch {
   const Boids* boids = nullptr;
@@ -57,7 +62,9 @@ struct WideBatch {
   std::span<const Span> spans;            ///< of candidates
   bool few = false;                       ///< see `few_candidates`
   Wrapping image;                         ///< `wraps` only where some candidate may be near over the seam
+  std::uint64_t near = 0;                 ///< the flocks that candidates within reach may belong to
   const WideProgram* programs = nullptr;  ///< of each flock
+  const WideProgram* program = nullptr;   ///< of the steered; in a mixed batch it has the shape of them all
   std::uint64_t steered = 0;              ///< the flocks whose boids get sums; their programs have one shape
   bool is_mixed = false;                  ///< the batch also holds boids of others, or of several
   SumBlock* sums = nullptr;

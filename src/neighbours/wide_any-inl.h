@@ -53,7 +53,7 @@ HWY_INLINE void AddAny(const WideBatch& batch, const WideProgram& program, const
 template <int D, Wraps wraps>
 HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const Filters& filters,
                         Sums& sums) {
-  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  const WideProgram& program = *batch.program;
   AnySums running;
   ClearAny(running, sums);
   std::size_t seen_so_far = 0;
@@ -78,7 +78,7 @@ HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const
 
 template <int D>
 HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
-  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  const WideProgram& program = *batch.program;
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
     FillFilters(batch, first, filters);

@@ -89,7 +89,7 @@ HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (std::size_t lane = 0; lane < width; ++lane) {
     const std::size_t slot = std::min<std::size_t>(first + lane, batch.targets.end - 1);
-    const WideProgram& program = batch.programs[batch.boids->flock[slot]];
+    const WideProgram& program = batch.is_mixed ? batch.programs[batch.boids->flock[slot]] : *batch.program;
     const WideFilter& filter = program.filters[f];
     filters.outer[f][lane] = filter.outer_squared;
     filters.inner[f][lane] = filter.inner_squared;
@@ -97,8 +97,7 @@ HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_
     filters.has_rings |= filter.inner_squared > 0;
     filters.has_views |= !filter.sees_all;
     const bool steered = (batch.boids->flock_bit(slot) & batch.steered) != 0;
-    filters.asks_flocks |=
-        batch.boids->hidden != nullptr || (steered && (batch.boids->flocks & ~filter.flocks) != 0);
+    filters.asks_flocks |= batch.boids->hidden != nullptr || (steered && (batch.near & ~filter.flocks) != 0);
     for (std::uint64_t left = batch.boids->flocks; left != 0; left &= left - 1) {
       const auto flock = static_cast<std::size_t>(std::countr_zero(left));
       filters.looks[f][flock][lane] = (filter.flocks >> flock & 1) != 0 ? 1.0f : 0.0f;
@@ -108,8 +107,7 @@ HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_
 }
 
 HWY_INLINE void FillFilters(const WideBatch& batch, std::size_t first, Filters& filters) {
-  const auto flock = static_cast<std::size_t>(std::countr_zero(batch.steered));
-  filters.count = batch.programs[flock].filter_count;
+  filters.count = batch.program->filter_count;
   filters.has_rings = filters.has_views = filters.asks_flocks = false;
   for (std::size_t f = 0; f < filters.count; ++f) FillFilter(batch, first, f, filters);
 }

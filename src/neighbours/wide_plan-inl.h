@@ -114,6 +114,7 @@ HWY_INLINE void WalkRange(const Walk<D, ThePlan>& walk, std::size_t begin, std::
     AddRow<D, ThePlan, 0>(walk, seen, masks, candidate, running, wholes);
     AddRow<D, ThePlan, 1>(walk, seen, masks, candidate, running, wholes);
     AddRow<D, ThePlan, 2>(walk, seen, masks, candidate, running, wholes);
+    AddRow<D, ThePlan, 3>(walk, seen, masks, candidate, running, wholes);
   }
 }
 
@@ -143,6 +144,7 @@ HWY_INLINE void Clear(Running<ThePlan>& running) {
   ClearRow<D, ThePlan, 0>(running);
   ClearRow<D, ThePlan, 1>(running);
   ClearRow<D, ThePlan, 2>(running);
+  ClearRow<D, ThePlan, 3>(running);
 }
 
 template <int D, class ThePlan, int r>
@@ -157,6 +159,7 @@ HWY_INLINE void Clear(Wholes<ThePlan>& wholes) {
   ClearWhole<D, ThePlan, 0>(wholes);
   ClearWhole<D, ThePlan, 1>(wholes);
   ClearWhole<D, ThePlan, 2>(wholes);
+  ClearWhole<D, ThePlan, 3>(wholes);
 }
 
 template <int D, class ThePlan, int r>
@@ -175,6 +178,7 @@ HWY_INLINE void Fold(Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
   FoldRow<D, ThePlan, 0>(running, wholes);
   FoldRow<D, ThePlan, 1>(running, wholes);
   FoldRow<D, ThePlan, 2>(running, wholes);
+  FoldRow<D, ThePlan, 3>(running, wholes);
 }
 
 template <int D, class ThePlan, int r>
@@ -192,6 +196,7 @@ HWY_INLINE void Finish(const Running<ThePlan>& running, const Wholes<ThePlan>* w
   FinishRow<D, ThePlan, 0>(running, wholes, sums);
   FinishRow<D, ThePlan, 1>(running, wholes, sums);
   FinishRow<D, ThePlan, 2>(running, wholes, sums);
+  FinishRow<D, ThePlan, 3>(running, wholes, sums);
 }
 
 template <int D, Wraps wraps, class ThePlan>
@@ -245,7 +250,7 @@ template <int D, class ThePlan>
 HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   const Floats d;
   const bool spans_tell = batch.image.wraps && SpansTell(batch.spans);
-  const WideProgram& program = batch.programs[std::countr_zero(batch.steered)];
+  const WideProgram& program = *batch.program;
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
     if constexpr (ThePlan::has_options) FillFilters(batch, first, filters);

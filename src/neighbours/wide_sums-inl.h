@@ -118,6 +118,13 @@ HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const WideP
              hn::Zero(hn::RebindToSigned<Floats>()));
 }
 
+// For boids who look at nobody of those who are near.
+HWY_INLINE void StoreNothing(const WideBatch& batch) {
+  const Sums none{};
+  for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width)
+    StoreSums(batch, first, *batch.program, none);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace sturnus
 HWY_AFTER_NAMESPACE();

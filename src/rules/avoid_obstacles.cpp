@@ -1,5 +1,6 @@
 // Obstacles: sideways, out of the way of the first ahead (VUW CGRA 354), or away from all near (CS 184).
 #include <cmath>
+#include <span>
 
 #include "rules/rules.h"
 
@@ -31,9 +32,20 @@ Place<D> sideways(const Place<D>& to_centre, const Place<D>& h) {
   return is_aimed_at ? any_perpendicular(h) : unit(from_centre);
 }
 
-template <int D>
-Vec<D> sweep(const TermModel& term, const FlockModel& flock, const Model& model,
-             const ObstacleIndex& obstacles, const Self<D>& self) {
+// Whoever tells of obstacles: an index, or a list of their numbers.
+struct Listed {
+  const ObstacleIndex& obstacles;
+  std::span<const std::uint32_t> numbers;
+
+  template <int D, class F>
+  void visit(const Vec<D>&, double, F&& f) const {
+    for (const std::uint32_t number : numbers) f(obstacles.obstacle(number));
+  }
+};
+
+template <int D, class Obstacles>
+Vec<D> sweep(const TermModel& term, const FlockModel& flock, const Model& model, const Obstacles& obstacles,
+             const Self<D>& self) {
   const Place<D> h = place_of(self.heading());
   if (h == Place<D>{}) return {};
   const Place<D> from = place_of(self.position);
@@ -64,9 +76,8 @@ Surface<D> away_from(const Obstacle& obstacle, const Place<D>& o) {
   return found;
 }
 
-template <int D>
-Vec<D> mean_away(const TermModel& term, const Model& model, const ObstacleIndex& obstacles,
-                 const Self<D>& self) {
+template <int D, class Obstacles>
+Vec<D> mean_away(const TermModel& term, const Model& model, const Obstacles& obstacles, const Self<D>& self) {
   const Place<D> from = place_of(self.position);
   Place<D> sum;
   int count = 0;
@@ -80,20 +91,36 @@ Vec<D> mean_away(const TermModel& term, const Model& model, const ObstacleIndex&
   return rounded(sum * (1.0 / count) - place_of(self.heading()));
 }
 
+template <int D, class Obstacles>
+Vec<D> avoid(const TermModel& term, const FlockModel& flock, const Model& model, const Obstacles& obstacles,
+             const Self<D>& self) {
+  return term.obstacle_form == ObstacleForm::sweep ? sweep(term, flock, model, obstacles, self)
+                                                   : mean_away(term, model, obstacles, self);
+}
+
 }  // namespace
 
 template <int D>
 Vec<D> avoid_obstacles(const TermModel& term, const FlockModel& flock, const Model& model,
                        const ObstacleIndex& obstacles, const Self<D>& self) {
-  if (obstacles.empty()) return {};
-  return term.obstacle_form == ObstacleForm::sweep ? sweep(term, flock, model, obstacles, self)
-                                                   : mean_away(term, model, obstacles, self);
+  return obstacles.empty() ? Vec<D>{} : avoid(term, flock, model, obstacles, self);
+}
+
+template <int D>
+Vec<D> avoid_listed(const TermModel& term, const FlockModel& flock, const Model& model,
+                    const ObstacleIndex& obstacles, std::span<const std::uint32_t> numbers,
+                    const Self<D>& self) {
+  return avoid(term, flock, model, Listed{obstacles, numbers}, self);
 }
 
 template Vec<2> avoid_obstacles<2>(const TermModel&, const FlockModel&, const Model&, const ObstacleIndex&,
                                    const Self<2>&);
 template Vec<3> avoid_obstacles<3>(const TermModel&, const FlockModel&, const Model&, const ObstacleIndex&,
                                    const Self<3>&);
+template Vec<2> avoid_listed<2>(const TermModel&, const FlockModel&, const Model&, const ObstacleIndex&,
+                                std::span<const std::uint32_t>, const Self<2>&);
+template Vec<3> avoid_listed<3>(const TermModel&, const FlockModel&, const Model&, const ObstacleIndex&,
+                                std::span<const std::uint32_t>, const Self<3>&);
 
 std::optional<float> distance_to_sphere(const Vector& to_centre, const Vector& velocity, float radius) {
   const Place<3> h = place_of(unit(Vec<3>{velocity}));

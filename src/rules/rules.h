@@ -5,6 +5,8 @@
 #include <sturnus/steering.h>
 #include <sturnus/view.h>
 
+#include <span>
+
 #include "neighbours/kernel.h"
 #include "neighbours/pieces.h"
 #include "rules/arbitration.h"
@@ -95,6 +97,12 @@ Vec<D> targets_pull(const Model& model, const std::vector<std::array<float, 3>>&
 template <int D>
 Vec<D> avoid_obstacles(const TermModel& term, const FlockModel& flock, const Model& model,
                        const ObstacleIndex& obstacles, const Self<D>& self);
+
+/// The same where it is known that no others than these matter; their numbers are ascending.
+template <int D>
+Vec<D> avoid_listed(const TermModel& term, const FlockModel& flock, const Model& model,
+                    const ObstacleIndex& obstacles, std::span<const std::uint32_t> numbers,
+                    const Self<D>& self);
 
 /// Turn: the acceleration inward for every margin that the place is in.
 template <int D>

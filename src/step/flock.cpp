@@ -117,8 +117,7 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
                 const NeighbourQuestion& question, std::size_t first, std::size_t last, StepWatch* watch,
                 int part) {
   PartScratch& own = scratch.parts[static_cast<std::size_t>(part)];
-  Motion<D> motion{
-      model, state, scratch, own, {model, state, scratch, own}, boids.flocks, boids.hidden != nullptr};
+  Motion<D> motion{model, state, scratch, own, {model, state, scratch, own}, boids, image_of(model)};
   for (std::size_t block = first; block < last; ++block) {
     const auto batches = block_at(scratch, block);
     const std::size_t begin = batches.front().begin;
@@ -131,7 +130,8 @@ void flock_part(const Model& model, State& state, Scratch& scratch, const Boids&
     if (watch != nullptr) watch->looked_at(std::exchange(own.kernel.pairs, 0), part);
     const Watched watched(watch, Phase::motion, part);
     question.passes->are_wide() ? move_wide(motion, begin, end) : move_plain(motion, begin, end);
-    if (model.is_solid && !scratch.obstacles.empty()) keep_out(motion, begin, end);
+    if (model.is_solid && !scratch.obstacles.empty())
+      question.passes->are_wide() ? keep_out_wide(motion, begin, end) : keep_out(motion, begin, end);
     if (model.uses_colour) drift_colours(model, state, scratch, own.sums, begin, end);
   }
 }
@@ -159,7 +159,11 @@ template <int D>
 Asked ask(const Model& model, const State& state, Scratch& scratch, const Workers& workers) {
   place_targets(model, state.step, scratch.targets);
   if (model.uses_headings) fill_headings<D>(state, scratch, workers);
-  const Boids boids = boids_of(model, state, scratch);
+  Boids boids = boids_of(model, state, scratch);
+  if (model.flocks.size() > 1) {
+    find_stretches(boids, workers, scratch.stretches);
+    boids.stretches = scratch.stretches.data();
+  }
   if (model.uses_totals)
     population_totals<D>(boids, model.flocks.size(), workers, scratch.total_parts, scratch.totals);
   const NeighbourQuestion question{&model,          scratch.is_indexed ? scratch.index.get() : nullptr,

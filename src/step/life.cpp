@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "neighbours/offset.h"
+#include "step/moved.h"
 #include "world/columns.h"
 #include "world/spawn.h"
 #include "world/state.h"
@@ -46,31 +47,41 @@ void run_clocks(const Model& model, State& state, const Hunters& hunters) {
 template <int D>
 class Bodies {
  public:
-  Bodies(const Model& model, const State& state, const std::vector<std::uint8_t>& alive)
-      : model_(model), state_(state), alive_(alive), image_(image_of(model)) {}
+  Bodies(const Model& model, const State& state, Scratch& scratch, const Moved<D>& moved)
+      : model_(model),
+        state_(state),
+        parts_(scratch.parts),
+        alive_(scratch.life.alive),
+        moved_(moved),
+        image_(image_of(model)) {}
 
   bool is_hungry(std::size_t i) const {
     if (state_.quarantined[i] != 0 || alive_[i] == 0 || !model_.flocks[state_.flock[i]].hunt) return false;
     return !model_.flocks[state_.flock[i]].hunger || !(state_.life.full[i] > 0);
   }
 
-  /// The nearest living prey that a hunter touches, the lowest id of equally near ones.
-  std::optional<std::size_t> prey_of(std::size_t hunter) const {
+  bool feeds(std::size_t i) const {
+    return model_.flocks[state_.flock[i]].feed && state_.quarantined[i] == 0 && alive_[i] != 0;
+  }
+
+  /// The nearest living prey that a hunter touches, the lowest id of equally near ones. `part` says whose
+  /// memory to work in.
+  std::optional<std::size_t> prey_of(std::size_t hunter, int part) const {
     const FlockModel& own = model_.flocks[state_.flock[hunter]];
     const auto place = at<D>(state_.position, hunter);
     std::optional<std::size_t> best;
     float least = 0;
-    for (std::size_t i = 0; i < state_.size(); ++i) {
+    moved_.visit(place, longest_touch(own), spans_of(part), [&](std::size_t i) {
       if ((own.hunt->prey >> state_.flock[i] & 1) == 0 || alive_[i] == 0 || state_.quarantined[i] != 0)
-        continue;
+        return;
       const Vec<D> o = offset(place, at<D>(state_.position, i), image_);
       const float touch = own.body_radius + model_.flocks[state_.flock[i]].body_radius;
       const float d2 = dot(o, o);
-      if (!(d2 <= touch * touch)) continue;
-      if (best && !(d2 < least || (d2 == least && state_.id[i] < state_.id[*best]))) continue;
+      if (!(d2 <= touch * touch)) return;
+      if (best && !(d2 < least || (d2 == least && state_.id[i] < state_.id[*best]))) return;
       best = i;
       least = d2;
-    }
+    });
     return best;
   }
 
@@ -78,11 +89,11 @@ class Bodies {
   std::optional<std::size_t> piece_of(std::size_t feeder, const Pieces& pieces,
                                       const std::vector<std::uint8_t>& uneaten) const {
     const FlockModel& own = model_.flocks[state_.flock[feeder]];
-    const float touch = own.body_radius + model_.food[own.feed->kind].body_radius;
     std::optional<std::size_t> best;
     float least = 0;
     pieces.visit<D>(
-        at<D>(state_.position, feeder), touch, [&](std::uint32_t piece, std::uint8_t kind, const Vec<D>& o) {
+        at<D>(state_.position, feeder), touch_of(own),
+        [&](std::uint32_t piece, std::uint8_t kind, const Vec<D>& o) {
           const float d2 = dot(o, o);
           if (kind != own.feed->kind || uneaten[piece] == 0) return;
           if (best && !(d2 < least || (d2 == least && state_.food.id[piece] < state_.food.id[*best]))) return;
@@ -92,42 +103,101 @@ class Bodies {
     return best;
   }
 
+  /// Whether it is less work to ask every piece who touches it than every boid for pieces.
+  bool asks_pieces() const {
+    if (state_.food.size() > state_.size() / 4) return false;
+    for (const FlockModel& flock : model_.flocks) {
+      if (flock.feed && !moved_.can_ask(touch_of(flock))) return false;
+    }
+    return true;
+  }
+
+  /// Calls f(slot) for everybody who touches a piece of his food.
+  template <class F>
+  void visit_feeders(std::size_t piece, int part, F&& f) const {
+    float longest = 0;
+    for (const FlockModel& flock : model_.flocks) {
+      if (flock.feed && flock.feed->kind == state_.food.kind[piece])
+        longest = std::max(longest, touch_of(flock));
+    }
+    const auto place = at<D>(state_.food.position, piece);
+    moved_.visit(place, longest, spans_of(part), [&](std::size_t i) {
+      if (!feeds(i)) return;
+      const FlockModel& own = model_.flocks[state_.flock[i]];
+      if (own.feed->kind != state_.food.kind[piece]) return;
+      const Vec<D> o = offset(at<D>(state_.position, i), place, image_);
+      if (dot(o, o) <= touch_of(own) * touch_of(own)) f(i);
+    });
+  }
+
  private:
+  float touch_of(const FlockModel& feeder) const {
+    return feeder.body_radius + model_.food[feeder.feed->kind].body_radius;
+  }
+  float longest_touch(const FlockModel& hunter) const {
+    float longest = 0;
+    for (const FlockModel& prey : model_.flocks) longest = std::max(longest, prey.body_radius);
+    return hunter.body_radius + longest;
+  }
+  std::vector<Span>& spans_of(int part) const { return parts_[static_cast<std::size_t>(part)].kernel.spans; }
+
   const Model& model_;
   const State& state_;
+  std::vector<PartScratch>& parts_;
   const std::vector<std::uint8_t>& alive_;
+  const Moved<D>& moved_;
   Wrapping image_;
 };
 
-// Those of `count` for whom asks(number) holds, by id: asked on all threads, gathered on one.
+void sort_by_id(const State& state, std::vector<std::uint32_t>& slots) {
+  std::sort(slots.begin(), slots.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return state.id[a] < state.id[b]; });
+}
+
+// Those of `count` for whom asks(number, part) holds, by id: asked on all threads, gathered on one.
 template <class Slot, class Asks>
 void gather_eaters(const State& state, LifeScratch& scratch, std::size_t count, Slot&& slot, Asks&& asks,
                    const Workers& workers) {
   scratch.touches.resize(count);
-  workers.for_ranges(count, [&](std::size_t begin, std::size_t end, int) {
+  workers.for_ranges(count, [&](std::size_t begin, std::size_t end, int part) {
     for (std::size_t number = begin; number < end; ++number)
-      scratch.touches[number] = asks(slot(number)) ? 1 : 0;
+      scratch.touches[number] = asks(slot(number), part) ? 1 : 0;
   });
   scratch.eaters.clear();
   for (std::size_t number = 0; number < count; ++number) {
     if (scratch.touches[number] != 0) scratch.eaters.push_back(static_cast<std::uint32_t>(slot(number)));
   }
-  std::sort(scratch.eaters.begin(), scratch.eaters.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return state.id[a] < state.id[b]; });
+  sort_by_id(state, scratch.eaters);
+}
+
+// The same for all who touch food, by asking the food.
+template <int D>
+void gather_feeders(const State& state, const Bodies<D>& bodies, Scratch& scratch, const Workers& workers) {
+  for (PartScratch& part : scratch.parts) part.eaters.clear();
+  workers.for_ranges(state.food.size(), [&](std::size_t begin, std::size_t end, int part) {
+    std::vector<std::uint32_t>& eaters = scratch.parts[static_cast<std::size_t>(part)].eaters;
+    for (std::size_t piece = begin; piece < end; ++piece)
+      bodies.visit_feeders(piece, part,
+                           [&](std::size_t i) { eaters.push_back(static_cast<std::uint32_t>(i)); });
+  });
+  std::vector<std::uint32_t>& all = scratch.life.eaters;
+  all.clear();
+  for (const PartScratch& part : scratch.parts) all.insert(all.end(), part.eaters.begin(), part.eaters.end());
+  sort_by_id(state, all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
 template <int D>
-void eat_prey(const Model& model, State& state, Scratch& scratch, StepReport& report,
+void eat_prey(const Model& model, State& state, Scratch& scratch, const Bodies<D>& bodies, StepReport& report,
               const Workers& workers) {
   LifeScratch& life = scratch.life;
   const std::vector<std::uint32_t>& hunters = scratch.hunters.slots;
-  const Bodies<D> bodies(model, state, life.alive);
   gather_eaters(
       state, life, hunters.size(), [&](std::size_t number) { return hunters[number]; },
-      [&](std::size_t i) { return bodies.is_hungry(i) && bodies.prey_of(i); }, workers);
+      [&](std::size_t i, int part) { return bodies.is_hungry(i) && bodies.prey_of(i, part); }, workers);
   for (const std::uint32_t i : life.eaters) {
     if (!bodies.is_hungry(i)) continue;  // was itself eaten
-    const auto prey = bodies.prey_of(i);
+    const auto prey = bodies.prey_of(i, 0);
     if (!prey) continue;
     life.alive[*prey] = 0;
     ++report.eaten;
@@ -149,19 +219,22 @@ void starve(const Model& model, const State& state, Scratch& scratch, StepReport
 }
 
 template <int D>
-void eat_food(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
+void eat_food(State& state, Scratch& scratch, const Bodies<D>& bodies, const Workers& workers) {
   LifeScratch& life = scratch.life;
   life.meals.clear();
   life.meal_flocks.clear();
   life.uneaten.assign(state.food.size(), 1);
   if (state.food.size() == 0) return;
-  const Bodies<D> bodies(model, state, life.alive);
-  const auto feeds = [&](std::size_t i) {
-    return model.flocks[state.flock[i]].feed && state.quarantined[i] == 0 && life.alive[i] != 0;
-  };
-  gather_eaters(
-      state, life, state.size(), [](std::size_t i) { return i; },
-      [&](std::size_t i) { return feeds(i) && bodies.piece_of(i, scratch.pieces, life.uneaten); }, workers);
+  if (bodies.asks_pieces()) {
+    gather_feeders(state, bodies, scratch, workers);
+  } else {
+    gather_eaters(
+        state, life, state.size(), [](std::size_t i) { return i; },
+        [&](std::size_t i, int) {
+          return bodies.feeds(i) && bodies.piece_of(i, scratch.pieces, life.uneaten).has_value();
+        },
+        workers);
+  }
   for (const std::uint32_t i : life.eaters) {
     const auto piece = bodies.piece_of(i, scratch.pieces, life.uneaten);
     if (!piece) continue;
@@ -244,12 +317,16 @@ void live_in(const Model& model, const ScenarioDef& scenario, State& state, Scra
   scratch.life.alive.assign(state.size(), 1);
   scratch.life.uneaten.assign(state.food.size(), 1);
   scratch.life.meals.clear();
-  if (model.has_hunters) {
-    run_clocks(model, state, scratch.hunters);
-    eat_prey<D>(model, state, scratch, report, workers);
-    starve(model, state, scratch, report);
+  if (model.has_hunters || model.has_feeders) {
+    const Moved<D> moved(model, state, scratch, workers);
+    const Bodies<D> bodies(model, state, scratch, moved);
+    if (model.has_hunters) {
+      run_clocks(model, state, scratch.hunters);
+      eat_prey<D>(model, state, scratch, bodies, report, workers);
+      starve(model, state, scratch, report);
+    }
+    if (model.has_feeders) eat_food<D>(state, scratch, bodies, workers);
   }
-  if (model.has_feeders) eat_food<D>(model, state, scratch, workers);
   bury(state, scratch);
   give_birth(model, scenario, state, scratch, report);
   lay_out_food(model, scenario, state);

@@ -14,8 +14,8 @@ struct Motion {
   Scratch& scratch;
   PartScratch& part;
   Steering<D> steering;
-  std::uint64_t flocks = 0;  ///< a bit for every flock that a boid may belong to
-  bool hides = false;        ///< whether some boid of all is out of play
+  const Boids& boids;  ///< all, as the kernel sees them
+  Wrapping image;
 };
 
 /// Moves those of the boids [begin, end) that are in play, one at a time.
@@ -30,5 +30,9 @@ void move_wide(Motion<D>& motion, std::size_t begin, std::size_t end);
 /// is inside.
 template <int D>
 void keep_out(Motion<D>& motion, std::size_t begin, std::size_t end);
+
+/// The same with the same bits; most boids are ruled out many at a time.
+template <int D>
+void keep_out_wide(Motion<D>& motion, std::size_t begin, std::size_t end);
 
 }  // namespace sturnus

@@ -3,6 +3,7 @@
 #include "step/motion.h"
 
 #include <algorithm>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "step/motion_wide.cpp"
@@ -10,64 +11,11 @@
 
 #include <hwy/highway.h>
 
-#include "neighbours/lanes-inl.h"
+#include "step/near_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sturnus {
 namespace HWY_NAMESPACE {
-
-template <int D>
-struct LaneVec {
-  Lanes at[D];
-};
-
-template <int D>
-HWY_INLINE LaneVec<D> Zeros() {
-  LaneVec<D> v;
-  for (int axis = 0; axis < D; ++axis) v.at[axis] = hn::Zero(Floats());
-  return v;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Scaled(const LaneVec<D>& v, Lanes factor) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Mul(v.at[axis], factor);
-  return out;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Sum(const LaneVec<D>& a, const LaneVec<D>& b) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Add(a.at[axis], b.at[axis]);
-  return out;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Difference(const LaneVec<D>& a, const LaneVec<D>& b) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Sub(a.at[axis], b.at[axis]);
-  return out;
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Select(Lanes_mask mask, const LaneVec<D>& yes, const LaneVec<D>& no) {
-  LaneVec<D> out;
-  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::IfThenElse(mask, yes.at[axis], no.at[axis]);
-  return out;
-}
-
-template <int D>
-HWY_INLINE Lanes Length(const LaneVec<D>& v) {
-  return hn::Sqrt(Squared<D>(v.at));
-}
-
-template <int D>
-HWY_INLINE LaneVec<D> Heading(const LaneVec<D>& v) {
-  const Floats d;
-  const Lanes size = Length(v);
-  const auto moves = hn::Gt(size, hn::Zero(d));
-  return Select(moves, Scaled(v, hn::Div(hn::Set(d, 1.0f), size)), Zeros<D>());
-}
 
 // Boids from slot `first` on, in the lanes, of whom some belong to the flock.
 template <int D>
@@ -75,16 +23,10 @@ struct Group {
   Motion<D>& motion;
   const FlockModel& flock;
   std::size_t first;
+  Lanes_mask counted;  ///< those lanes
   LaneVec<D> position, velocity;
+  Box box;  ///< of their places, where somebody asks
 };
-
-template <int D>
-HWY_INLINE LaneVec<D> LoadVec(const Columns& columns, std::size_t first) {
-  LaneVec<D> v;
-  for (int axis = 0; axis < D; ++axis)
-    v.at[axis] = hn::LoadU(Floats(), columns[static_cast<std::size_t>(axis)].data() + first);
-  return v;
-}
 
 // The sum of a row and its count, with the boid itself where it counts too.
 template <int D>
@@ -131,11 +73,16 @@ HWY_INLINE LaneVec<D> Alignment(const TermModel& term, const Group<D>& group, co
   return Select(sum.is_lonely, Zeros<D>(), wish);
 }
 
-// A term that is asked boid by boid.
+// A term that is asked boid by boid, for those lanes that have something to ask.
 template <int D>
-HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group) {
+HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group, Lanes_mask asks) {
+  const Floats d;
+  if (hn::AllFalse(d, asks)) return Zeros<D>();
+  HWY_ALIGN float is_asked[width];
+  hn::Store(hn::IfThenElseZero(asks, hn::Set(d, 1.0f)), d, is_asked);
   HWY_ALIGN float felt[D][width] = {};
   for (std::size_t lane = 0; lane < width; ++lane) {
+    if (is_asked[lane] == 0) continue;
     const std::size_t i = group.first + lane;
     Steering<D>& steering = group.motion.steering;
     const Vec<D> one = steering.feel(term, group.flock, steering.self(i), i);
@@ -144,6 +91,123 @@ HWY_NOINLINE LaneVec<D> AskEach(const TermModel& term, const Group<D>& group) {
   LaneVec<D> out;
   for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Load(Floats(), felt[axis]);
   return out;
+}
+
+// Who may feel an obstacle; and which, a bit for each lane.
+template <int D>
+HWY_INLINE Lanes_mask FindObstacles(const TermModel& term, const Group<D>& group,
+                                    std::vector<std::uint32_t>& lanes) {
+  const Floats d;
+  const ObstacleColumns& near = group.motion.part.near_obstacles;
+  lanes.resize(near.count);
+  const bool sweeps = term.obstacle_form == ObstacleForm::sweep;
+  const float thicker = 1.0001f * (sweeps ? group.flock.body_radius + term.clearance : 0.0f);
+  const float reach = 1.0001f * term.look_ahead + thicker;
+  auto may = hn::FirstN(d, 0);
+  for (std::size_t k = 0; k < near.count; ++k) {
+    const auto seen = LookAt<D>(near, k, group.motion.image, group.position, hn::Set(d, reach));
+    auto one = seen.near;
+    const bool is_sphere = seen.radius < FlockModel::infinity_f;
+    if (sweeps && is_sphere && !IsAmbiguous(group.motion.image, D, seen.radius, reach))
+      one = hn::And(one, MayMeet<D>(seen, group.velocity, thicker));
+    lanes[k] = BitsOf(one);
+    may = hn::Or(may, one);
+  }
+  return hn::And(may, group.counted);
+}
+
+// Those who may feel an obstacle are asked one by one, each about a few.
+template <int D>
+HWY_NOINLINE LaneVec<D> AvoidObstacles(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const Motion<D>& motion = group.motion;
+  std::vector<std::uint32_t>& lanes = motion.part.lanes_of_obstacles;
+  std::vector<std::uint32_t>& felt = motion.part.felt_obstacles;
+  const std::uint32_t asking = BitsOf(FindObstacles(term, group, lanes));
+  if (asking == 0) return Zeros<D>();
+  HWY_ALIGN float forces[D][width] = {};
+  for (std::uint32_t left = asking; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    felt.clear();
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+      if ((lanes[k] >> lane & 1) != 0)
+        felt.push_back(std::bit_cast<std::uint32_t>(motion.part.near_obstacles.number[k]));
+    }
+    const Vec<D> force = avoid_listed<D>(term, group.flock, motion.model, motion.scratch.obstacles, felt,
+                                         motion.steering.self(group.first + lane));
+    for (int axis = 0; axis < D; ++axis) forces[axis][lane] = force[axis];
+  }
+  LaneVec<D> out;
+  for (int axis = 0; axis < D; ++axis) out.at[axis] = hn::Load(d, forces[axis]);
+  return out;
+}
+
+// What lanes smell of food.
+template <int D>
+struct Smelt {
+  LaneVec<D> sum;
+  Lanes count;
+};
+
+// The pieces in the runs, one after the other, for the lanes of a mask.
+template <int D>
+HWY_INLINE void Smell(const Group<D>& group, Lanes_mask who, Smelt<D>& smelt) {
+  const Floats d;
+  const FeedModel& feed = *group.flock.feed;
+  const Pieces& pieces = group.motion.scratch.pieces;
+  for (const Pieces::Run run : group.motion.part.food_runs) {
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
+      if (pieces.kind_at(i) != feed.kind) continue;
+      std::array<float, 3> place{};
+      for (std::size_t axis = 0; axis < D; ++axis) place[axis] = pieces.coordinate_at(axis, i);
+      const LaneVec<D> o = Offset(group.position, Everywhere<D>(place), group.motion.image);
+      const auto smells = hn::And(who, hn::Le(Squared<D>(o.at), hn::Set(d, feed.radius * feed.radius)));
+      if (hn::AllFalse(d, smells)) continue;
+      const LaneVec<D> toward = feed.form == SteeringForm::linear ? o : Heading(o);
+      smelt.sum = Select(smells, Sum(smelt.sum, toward), smelt.sum);
+      smelt.count = hn::IfThenElse(smells, hn::Add(smelt.count, hn::Set(d, 1.0f)), smelt.count);
+    }
+  }
+}
+
+// Toward food, as in rules/feed.cpp.
+template <int D>
+HWY_INLINE LaneVec<D> TowardFood(const TermModel& term, const Group<D>& group, const Smelt<D>& smelt) {
+  const Floats d;
+  const auto smells = hn::Gt(smelt.count, hn::Zero(d));
+  if (hn::AllFalse(d, smells)) return Zeros<D>();
+  if (group.flock.feed->form != SteeringForm::heading) return AskEach(term, group, smells);
+  const LaneVec<D> toward = Scaled(smelt.sum, hn::Div(hn::Set(d, 1.0f), smelt.count));
+  return Select(smells, Difference(toward, Heading(group.velocity)), Zeros<D>());
+}
+
+// Where the order of storage jumps from one end of the world to the other, a group stands in two places: it
+// is quartered, and only the boids of the part with the jump are asked one by one.
+template <int D>
+HWY_NOINLINE LaneVec<D> Feed(const TermModel& term, const Group<D>& group) {
+  const Floats d;
+  const Pieces& pieces = group.motion.scratch.pieces;
+  auto& runs = group.motion.part.food_runs;
+  const float radius = group.flock.feed->radius;
+  Smelt<D> smelt{Zeros<D>(), hn::Zero(d)};
+  if (pieces.find_runs(group.box.low, group.box.high, radius, runs)) {
+    Smell(group, group.counted, smelt);
+    return TowardFood(term, group, smelt);
+  }
+  auto torn = hn::FirstN(d, 0);
+  constexpr std::size_t size = std::max<std::size_t>(width / 4, 1);
+  for (std::size_t first = 0; first < width; first += size) {
+    const auto stretch = hn::AndNot(hn::FirstN(d, first), hn::FirstN(d, std::min(first + size, width)));
+    const auto part = hn::And(stretch, group.counted);
+    if (hn::AllFalse(d, part)) continue;
+    const Box box = BoxOf(BoundsOf(group.position, part));
+    if (pieces.find_runs(box.low, box.high, radius, runs)) {
+      Smell(group, part, smelt);
+    } else {
+      torn = hn::Or(torn, part);
+    }
+  }
+  return Select(torn, AskEach(term, group, torn), TowardFood(term, group, smelt));
 }
 
 template <int D>
@@ -159,8 +223,14 @@ HWY_INLINE LaneVec<D> Feel(const TermModel& term, const Group<D>& group) {
       return Alignment(term, group, LoadSum(group, row));
     case TermKind::cruise:
       return Scaled(Heading(group.velocity), hn::Sub(hn::Set(d, term.amount), Length(group.velocity)));
+    case TermKind::flee:
+      return AskEach(term, group, hn::AndNot(LoadSum(group, row).is_lonely, group.counted));
+    case TermKind::avoid_obstacles:
+      return AvoidObstacles(term, group);
+    case TermKind::feed:
+      return Feed(term, group);
     default:
-      return AskEach(term, group);
+      return AskEach(term, group, group.counted);
   }
 }
 
@@ -266,8 +336,9 @@ HWY_INLINE bool AreSound(Lanes_mask counted, const LaneVec<D>& v) {
 
 // Moves the counted lanes; false where a number needs the care of the plain motion, and nothing is written.
 template <int D>
-HWY_INLINE bool MoveGroup(const Group<D>& group, Lanes_mask counted) {
+HWY_INLINE bool MoveGroup(const Group<D>& group) {
   const Floats d;
+  const Lanes_mask counted = group.counted;
   const Model& model = group.motion.model;
   constexpr float most = std::numeric_limits<float>::max();
   LaneVec<D> felt = Zeros<D>();
@@ -307,7 +378,9 @@ inline bool HasLanes(const FlockModel& flock) {
 template <int D>
 HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std::size_t flock) {
   const Floats d;
-  if (!motion.hides && (motion.flocks & (motion.flocks - 1)) == 0) return hn::FirstN(d, width);
+  const std::uint64_t present = motion.boids.flocks_in(first, first + width);
+  if ((present >> flock & 1) == 0) return hn::FirstN(d, 0);
+  if (motion.boids.hidden == nullptr && std::has_single_bit(present)) return hn::FirstN(d, width);
   HWY_ALIGN float is_member[width] = {};
   for (std::size_t i = 0; i < width; ++i) {
     const std::size_t slot = first + i;
@@ -316,16 +389,58 @@ HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std:
   return hn::Gt(hn::Load(d, is_member), hn::Zero(d));
 }
 
+// What is near the boids of a group.
+template <int D>
+HWY_INLINE void LookAround(Group<D>& group) {
+  Motion<D>& motion = group.motion;
+  motion.part.near_obstacles.count = 0;
+  if (motion.part.block_obstacles.count == 0 && !group.flock.feed) return;
+  group.box = BoxOf(BoundsOf(group.position, group.counted));
+  Select<D>(motion.part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach,
+            motion.part.near_obstacles);
+}
+
 template <int D>
 HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
   const Floats d;
   for (std::size_t f = 0; f < motion.model.flocks.size(); ++f) {
     const auto counted = MembersOf(motion, first, f);
     if (hn::AllFalse(d, counted)) continue;
-    const Group<D> group{motion, motion.model.flocks[f], first, LoadVec<D>(motion.state.position, first),
-                         LoadVec<D>(motion.state.velocity, first)};
-    if (!HasLanes(group.flock) || !MoveGroup(group, counted)) move_plain(motion, first, first + width);
+    Group<D> group{motion,
+                   motion.model.flocks[f],
+                   first,
+                   counted,
+                   LoadVec<D>(motion.state.position, first),
+                   LoadVec<D>(motion.state.velocity, first),
+                   {}};
+    LookAround(group);
+    if (!HasLanes(group.flock) || !MoveGroup(group)) move_plain(motion, first, first + width);
   }
+}
+
+inline bool LooksForObstacles(const FlockModel& flock) {
+  return std::any_of(flock.terms.begin(), flock.terms.end(),
+                     [](const TermModel& term) { return term.kind == TermKind::avoid_obstacles; });
+}
+
+// The obstacles that somebody of the stretch may feel.
+template <int D>
+HWY_INLINE void LookFar(Motion<D>& motion, std::size_t begin, std::size_t end) {
+  const auto& flocks = motion.model.flocks;
+  motion.part.block_obstacles.count = 0;
+  if (motion.scratch.obstacles.empty() || std::none_of(flocks.begin(), flocks.end(), LooksForObstacles))
+    return;
+  Bounds<D> bounds = NoBounds<D>();
+  for (std::size_t first = begin; first < end; first += width) {
+    const LaneVec<D> places = LoadVec<D>(motion.state.position, std::min(first, end - width));
+    Widen(bounds, places, AreSoundPlaces(places));
+  }
+  const ObstacleColumns& all = motion.scratch.obstacles.columns();
+  motion.part.block_obstacles.fit(all.count);
+  motion.part.near_obstacles.fit(all.count);
+  motion.part.lanes_of_obstacles.reserve(all.count);
+  motion.part.felt_obstacles.reserve(all.count);
+  Select<D>(all, motion.image, BoxOf(bounds), motion.model.obstacle_reach, motion.part.block_obstacles);
 }
 
 // The last lanes go back over boids that have moved: that changes nothing, since all is read from the state
@@ -333,6 +448,7 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
 template <int D>
 HWY_INLINE void MoveAll(Motion<D>& motion, std::size_t begin, std::size_t end) {
   if (end - begin < width || motion.model.uses_wander) return move_plain(motion, begin, end);
+  LookFar(motion, begin, end);
   for (std::size_t first = begin; first < end; first += width)
     MoveLanes(motion, std::min(first, end - width));
 }

@@ -33,11 +33,18 @@ void poison(Scratch& scratch) {
   spoil(scratch.totals);
   spoil(scratch.total_parts);
   spoil(scratch.watched);
+  spoil(scratch.stretches);
   spoil(scratch.batches);
   spoil(scratch.weights);
   for (PartScratch& part : scratch.parts) {
     spoil(part.kernel.spans);
     spoil(part.fallen);
+    spoil(part.eaters);
+    spoil(part.lanes_of_obstacles);
+    spoil(part.felt_obstacles);
+    spoil(part.food_runs);
+    part.block_obstacles.spoil();
+    part.near_obstacles.spoil();
     part.sums.spoil();
   }
   for (Columns& columns : scratch.custom) spoil(columns);

@@ -16,7 +16,13 @@ namespace sturnus {
 struct PartScratch {
   KernelScratch kernel;
   SumBlock sums;
-  std::vector<std::uint32_t> fallen;  ///< boids that went bad in this step
+  std::vector<std::uint32_t> fallen;                ///< boids that went bad in this step
+  std::vector<std::uint32_t> eaters;                ///< slots of those who touch food
+  ObstacleColumns block_obstacles, near_obstacles;  ///< near the boids at hand
+  std::vector<std::uint32_t> lanes_of_obstacles;    ///< who may feel each of them
+  std::vector<std::uint32_t> felt_obstacles;        ///< by one boid
+  std::vector<Pieces::Run> food_runs;               ///< near the boids at hand
+  float longest = 0;                                ///< length; the longest way of those looked at
 };
 
 /// Those who hunt, in the order of storage, and where each is pulled.
@@ -46,6 +52,7 @@ struct Scratch {
   std::vector<Totals> totals, total_parts;
   Passes passes;
   std::vector<std::uint32_t> watched;  ///< slots of those in play whose flocks are looked at, by id
+  std::vector<Stretch> stretches;      ///< of boids, where there are several flocks
   std::vector<Span> batches;           ///< of boids that are steered at once
   std::vector<std::uint64_t> weights;  ///< of blocks of batches, added up
   std::vector<PartScratch> parts;

@@ -120,6 +120,7 @@ void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch
     prepare(model, scenario, state, scratch, outside, workers);
   }
   flock(model, state, scratch, outside.watch, workers);
+  const Watched watched(outside.watch, Phase::motion, 0);
   live(model, scenario, state, scratch, report, workers);
   ++state.step;
 }

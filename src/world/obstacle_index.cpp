@@ -35,6 +35,7 @@ void ObstacleIndex::fit(const Model& model, const std::vector<Obstacle>& obstacl
   everywhere_.clear();
   begins_.clear();
   entries_.clear();
+  columns_.fill(model, obstacles);
   if (obstacles_.empty()) return;
   divide(model);
   fill(model);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "world/obstacle_columns.h"
 #include "world/solids.h"
 
 namespace sturnus {
@@ -16,6 +17,9 @@ class ObstacleIndex {
   void forget();
 
   bool empty() const { return obstacles_.empty(); }
+  const Obstacle& obstacle(std::uint32_t number) const { return obstacles_[number]; }
+  /// All of them; good until the next `fit`.
+  const ObstacleColumns& columns() const { return columns_; }
 
   /// Calls f(obstacle) in the order of the obstacles for all whose surface is within `reach` of a place of
   /// the space, and for some others.
@@ -44,6 +48,7 @@ class ObstacleIndex {
 
   int dimensions_ = 2;
   std::vector<Obstacle> obstacles_;
+  ObstacleColumns columns_;
   bool wraps_ = false;
   std::array<float, 3> min_{}, size_{};
   float reach_ = -1;
