@@ -16,16 +16,12 @@ struct Section {
   Json (*measure)(Effort);
 };
 
-const std::vector<Section> sections = {{"yardsticks", measure_yardsticks},
-                                       {"sizes", measure_sizes},
-                                       {"neighbours", measure_neighbours},
-                                       {"instruction_sets", measure_instruction_sets},
-                                       {"threads", measure_threads},
-                                       {"indexes", measure_indexes},
-                                       {"dense", measure_dense},
-                                       {"clumps", measure_clumps},
-                                       {"living", measure_living},
-                                       {"sixty", measure_sixty}};
+const std::vector<Section> sections = {
+    {"yardsticks", measure_yardsticks}, {"sizes", measure_sizes},
+    {"neighbours", measure_neighbours}, {"instruction_sets", measure_instruction_sets},
+    {"threads", measure_threads},       {"indexes", measure_indexes},
+    {"dense", measure_dense},           {"clumps", measure_clumps},
+    {"living", measure_living},         {"sixty", measure_sixty}};
 
 struct Words {
   Effort effort = Effort::usual;

@@ -29,10 +29,12 @@ struct AddFood {
   double radius = 0.0;
 };
 /// Remove every boid, target, piece of food and obstacle within `radius` (length) of a place; of an obstacle
-/// its centre counts, and planes stay.
+/// its centre counts, and planes stay. `along`, a direction of any length, makes the place a line through it,
+/// as a hand reaches into space that sees it from one side; not given: the place alone.
 struct EraseBoids {
   Coordinates at;
   double radius = 0.0;
+  Coordinates along = {};
 };
 /// Put a boid somewhere with a velocity; the only way out of quarantine.
 struct MoveBoid {
@@ -40,11 +42,12 @@ struct MoveBoid {
   Coordinates to;
   Coordinates velocity;
 };
-/// Move the pointer; `pressed` makes it felt.
+/// Move the pointer; `pressed` makes it felt. With `along` it is a line, and the offset to it the shortest.
 struct MovePointer {
   PointerMode mode = PointerMode::attract;
   Coordinates at;
   bool pressed = true;
+  Coordinates along = {};
 };
 /// Put a sphere (in 2D a circle) somewhere as an obstacle.
 struct PlaceObstacle {
@@ -52,10 +55,12 @@ struct PlaceObstacle {
   double radius = 1.0;  ///< length
 };
 
-/// Make everyone within `radius` (length) of a place fly straight away from it at full speed: a burst.
+/// Make everyone within `radius` (length) of a place, or of the line `along` through it, fly straight away
+/// from it at full speed: a burst.
 struct ScatterBoids {
   Coordinates at;
   double radius = 0.0;
+  Coordinates along = {};
 };
 /// Put a target down; from then on it is one of the scenario's, called by the next free name.
 struct PlaceTarget {

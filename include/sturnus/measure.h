@@ -31,6 +31,10 @@ Measures measure(const View& view, double link = 0);
 /// |mean heading| over moving boids; NaN when none moves (Vicsek 1995).
 double polarisation(const View& view);
 
+/// For every slot how many others are within `link` (as for `measure`) and in its field of view; 0 for boids
+/// in quarantine.
+std::vector<std::uint32_t> neighbour_counts(const View& view, double link = 0);
+
 /// One measure for people and files.
 struct MeasureColumn {
   const char* name;   ///< in files: "polarisation"

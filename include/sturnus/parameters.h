@@ -104,6 +104,9 @@ void visit(ScenarioDef& scenario, FieldVisitor& visitor);
 /// with "did you mean"; the scenario is then as it was. The whole is not checked: see `check`.
 Status set_parameter(ScenarioDef& scenario, std::string_view path, const Value& value);
 
+/// Whether a parameter keeps its value while a flock runs: commands can't set it.
+bool is_fixed_while_running(std::string_view path);
+
 /// Text of one parameter's value, or the problem.
 Result<std::string> get_parameter(const ScenarioDef& scenario, std::string_view path);
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sturnus/colour.h"
@@ -60,6 +61,9 @@ struct PictureOptions {
   /// rings weigh their own edges.
   int supersampling = 0;
 };
+
+/// The TrueType file that pictures are written with, DejaVu Sans; empty where the library was built without.
+std::span<const unsigned char> picture_font();
 
 /// Smallest and largest side of a picture that will be drawn, in pixels.
 inline constexpr int min_picture_side = 16;

@@ -54,6 +54,10 @@ class Snapshot {
   std::shared_ptr<const Data> data_;
 };
 
+/// What becomes of events that were done by hand after the moment that is restored: they are done again when
+/// their step comes, until the next `push`; or they never were.
+enum class Later { again, never };
+
 /// What a run met besides flocking.
 struct StepReport {
   std::size_t quarantined = 0;       ///< boids out of play because of a bad number
@@ -97,9 +101,9 @@ class Simulation {
   ScenarioDef recording() const;
 
   Snapshot snapshot() const;
-  /// Back to that moment. Later events are done again when their step comes, until the next `push`: acting
-  /// after a rewind begins a new branch.
-  void restore(const Snapshot& snapshot);
+  /// Back to that moment. Acting after a rewind begins a new branch: what was done by hand later is forgotten
+  /// with the next `push`, or at once.
+  void restore(const Snapshot& snapshot, Later later = Later::again);
 
   /// Adds a rule of one's own, with a weight of 1 and a place in the order of terms. Kept over `restore`; not
   /// part of the scenario.
@@ -116,6 +120,9 @@ class Simulation {
   /// nobody can say: there is no such boid, or it is out of play. Changes nothing. Asks the user's own rules
   /// once more; what events are still to do at this very step, as after `restore`, is not foreseen.
   Result<Explanation> explain(std::uint64_t id) const;
+
+  /// Where the scenario's targets are now, in file order; z is 0 in two dimensions. Length.
+  std::vector<std::array<float, 3>> target_places() const;
 
   /// The places of the neighbour index's cells or leaves, for pictures: min and max corner of each.
   std::vector<std::array<std::array<float, 3>, 2>> index_boxes() const;

@@ -21,7 +21,8 @@ using Columns = std::array<std::vector<float>, 3>;
 struct PointerState {
   PointerMode mode = PointerMode::attract;
   bool pressed = false;
-  std::array<float, 3> at{};  ///< length
+  std::array<float, 3> at{};     ///< length
+  std::array<float, 3> along{};  ///< unit vector of the line that it is; zero: a point
 };
 
 /// No boid's id.

@@ -18,9 +18,9 @@ enum class Strength { grows, constant, fades };  ///< one neighbour's pull over 
 enum class Combine { sum, mean };                ///< of the neighbours' contributions
 enum class Match { velocity, heading };          ///< what alignment averages
 enum class Arbitration { weighted, budget, first };
-/// What a place makes a boid feel, o being the offset to it. heading: unit(o) - heading. seek: unit(o)·max_speed
-/// minus the own velocity. linear: o. arrive: as seek, with the speed max_speed·min(1, |o|/slowing). orbit:
-/// unit(o)·max_speed, the desired velocity itself.
+/// What a place makes a boid feel, o being the offset to it. heading: unit(o) - heading. seek:
+/// unit(o)·max_speed minus the own velocity. linear: o. arrive: as seek, with the speed max_speed·min(1,
+/// |o|/slowing). orbit: unit(o)·max_speed, the desired velocity itself.
 enum class SteeringForm { heading, seek, linear, arrive, orbit };
 enum class TargetKind { attract, repel };
 enum class TargetMotion { still, line, circle };

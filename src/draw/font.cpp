@@ -1,6 +1,8 @@
 // Text with stb_truetype over the embedded font; draws nothing where either is missing.
 #include "draw/font.h"
 
+#include <sturnus/picture.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -112,6 +114,10 @@ void add_letter(const Letter& letter, float scale, float shift, TextInk& ink) {
 }
 
 }  // namespace
+
+std::span<const unsigned char> picture_font() {
+  return {embedded_font, static_cast<std::size_t>(embedded_font_size)};
+}
 
 bool has_font() {
   return face().usable;

@@ -247,6 +247,21 @@ double link_of(const Flock& flock, double link) {
   return from_scenario > 0 ? from_scenario : double{flock.model.reach};
 }
 
+// Calls f(i, other) for every ordered pair of boids within `link` of which the first sees the second.
+template <int D, class F>
+void for_each_seen(const Flock& flock, double link, F&& f) {
+  if (!(link > 0) || flock.slots.empty()) return;
+  const float radius = std::nextafter(static_cast<float>(link), std::numeric_limits<float>::max());
+  const Sorted sorted(flock, radius);
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < flock.slots.size(); ++i) {
+    visit<D>(sorted.near(), place<D>(flock, i), radius, spans, [&](std::uint32_t slot, float) {
+      const auto other = static_cast<std::size_t>(sorted.near().ids[slot]);
+      if (other != i && in_view(flock, i, other)) f(i, other);
+    });
+  }
+}
+
 double polarisation_of(const Flock& flock) {
   Vec3d sum;
   std::size_t moving = 0;
@@ -260,6 +275,18 @@ double polarisation_of(const Flock& flock) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> neighbour_counts(const View& view, double link) {
+  const Flock flock(view);
+  std::vector<std::uint32_t> counts(view.size(), 0);
+  const auto count = [&](std::size_t i, std::size_t) { ++counts[flock.slots[i]]; };
+  if (view.dimensions() == 2) {
+    for_each_seen<2>(flock, link_of(flock, link), count);
+  } else {
+    for_each_seen<3>(flock, link_of(flock, link), count);
+  }
+  return counts;
+}
 
 double polarisation(const View& view) {
   return polarisation_of(Flock(view));

@@ -10,6 +10,8 @@ Vec<D> pointer_pull(const PointerModel& model, const PointerState& pointer, cons
   if (!pointer.pressed) return {};
   const bool repels = pointer.mode == PointerMode::repel;
   Vec<D> o = offset(self.position, narrow_to<D>(pointer.at), image);
+  const Vec<D> along = narrow_to<D>(pointer.along);
+  o -= along * dot(o, along);
   if (length(o) > (repels ? model.repel_radius : model.radius)) return {};
   if (repels) o *= -1.0f;
   return pull_of({model.form, model.slowing}, o, self, max_speed);

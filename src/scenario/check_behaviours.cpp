@@ -15,8 +15,7 @@ constexpr std::int64_t most_watched = 256;
 
 class BehaviourChecker : Findings {
  public:
-  BehaviourChecker(const ScenarioDef& scenario, Problems& problems)
-      : Findings(scenario, problems) {
+  BehaviourChecker(const ScenarioDef& scenario, Problems& problems) : Findings(scenario, problems) {
     for (const FlockDef& flock : scenario.flocks) names_.push_back(flock.name);
   }
 

@@ -16,8 +16,7 @@ constexpr std::size_t most_kinds_of_food = 64;
 
 class CreatureChecker : Findings {
  public:
-  CreatureChecker(const ScenarioDef& scenario, Problems& problems)
-      : Findings(scenario, problems) {
+  CreatureChecker(const ScenarioDef& scenario, Problems& problems) : Findings(scenario, problems) {
     for (const FlockDef& flock : scenario.flocks) names_.push_back(flock.name);
     for (const FoodDef& food : scenario.food) foods_.push_back(food.name);
   }

@@ -1,4 +1,5 @@
-// Checks that several tables of a scenario have in common. Each gives the sentence for what is wrong, or nothing.
+// Checks that several tables of a scenario have in common. Each gives the sentence for what is wrong, or
+// nothing.
 #pragma once
 
 #include <sturnus/scenario.h>
@@ -29,7 +30,8 @@ class Findings {
 /// What files call the steering forms, in their order.
 inline constexpr const char* form_names[] = {"heading", "seek", "linear", "arrive", "orbit"};
 
-/// A name that paths use: plain letters, and not taken by an earlier one. `what` names several of the kind: "flocks".
+/// A name that paths use: plain letters, and not taken by an earlier one. `what` names several of the kind:
+/// "flocks".
 std::optional<std::string> wrong_name(std::string_view what, const std::string& name,
                                       const std::vector<std::string>& earlier);
 

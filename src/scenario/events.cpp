@@ -25,6 +25,12 @@ Value place(const Coordinates& at) {
   return {list};
 }
 
+// A direction at the end, where there is one.
+Value::List with_line(Value::List list, const Coordinates& along) {
+  if (!along.empty()) list.push_back(place(along));
+  return list;
+}
+
 Value::List parts_of(const Command& command) {
   struct Parts {
     Value::List operator()(const SetParameter& set) const {
@@ -39,17 +45,18 @@ Value::List parts_of(const Command& command) {
               number(add.radius)};
     }
     Value::List operator()(const EraseBoids& erase) const {
-      return {word("erase"), place(erase.at), number(erase.radius)};
+      return with_line({word("erase"), place(erase.at), number(erase.radius)}, erase.along);
     }
     Value::List operator()(const MoveBoid& move) const {
       return {word("move"), number(static_cast<double>(move.id)), place(move.to), place(move.velocity)};
     }
     Value::List operator()(const MovePointer& pointer) const {
       const char* mode = pointer.mode == PointerMode::attract ? "attract" : "repel";
-      return {word("pointer"), word(pointer.pressed ? mode : "off"), place(pointer.at)};
+      return with_line({word("pointer"), word(pointer.pressed ? mode : "off"), place(pointer.at)},
+                       pointer.along);
     }
     Value::List operator()(const ScatterBoids& scatter) const {
-      return {word("scatter"), place(scatter.at), number(scatter.radius)};
+      return with_line({word("scatter"), place(scatter.at), number(scatter.radius)}, scatter.along);
     }
     Value::List operator()(const PlaceTarget& placed) const {
       const char* kind = placed.kind == TargetKind::attract ? "attract" : "repel";
@@ -129,6 +136,11 @@ class Parts {
   std::string error_;
 };
 
+// May be left out.
+Coordinates line_from(Parts& parts) {
+  return parts.at_end() ? Coordinates{} : parts.place("direction");
+}
+
 Command pointer_from(Parts& parts) {
   MovePointer pointer;
   const std::string mode = parts.word("mode");
@@ -138,6 +150,7 @@ Command pointer_from(Parts& parts) {
   pointer.mode = mode == "repel" ? PointerMode::repel : PointerMode::attract;
   pointer.pressed = mode != "off";
   pointer.at = parts.place("place");
+  pointer.along = line_from(parts);
   return pointer;
 }
 
@@ -186,8 +199,11 @@ Command command_from(const std::string& verb, Parts& parts) {
     return add;
   }
   if (verb == "erase") {
-    Coordinates at = parts.place("place");
-    return EraseBoids{std::move(at), parts.number("radius")};
+    EraseBoids erase;
+    erase.at = parts.place("place");
+    erase.radius = parts.number("radius");
+    erase.along = line_from(parts);
+    return erase;
   }
   if (verb == "move") {
     MoveBoid move;
@@ -198,8 +214,11 @@ Command command_from(const std::string& verb, Parts& parts) {
   }
   if (verb == "pointer") return pointer_from(parts);
   if (verb == "scatter") {
-    Coordinates at = parts.place("place");
-    return ScatterBoids{std::move(at), parts.number("radius")};
+    ScatterBoids scatter;
+    scatter.at = parts.place("place");
+    scatter.radius = parts.number("radius");
+    scatter.along = line_from(parts);
+    return scatter;
   }
   if (verb == "target") return target_from(parts);
   if (verb == "obstacle") {
@@ -221,26 +240,17 @@ std::optional<std::string> check_place(const ScenarioDef& scenario, const Coordi
   return {};
 }
 
+std::optional<std::string> check_line(const ScenarioDef& scenario, const Coordinates& along) {
+  if (along.empty()) return {};
+  if (auto error = check_place(scenario, along, "direction")) return error;
+  const bool is_nothing = std::all_of(along.begin(), along.end(), [](double part) { return part == 0; });
+  return is_nothing ? std::optional<std::string>("the direction must not be zero") : std::nullopt;
+}
+
 std::optional<std::string> check_radius(double radius) {
   if (!(radius >= 0 && radius <= 1e15))
     return say("the radius must not be negative or beyond 1e15, but is ", number_text(radius));
   return {};
-}
-
-bool fixed_while_running(std::string_view path) {
-  for (const char* fixed :
-       {"format", "seed", "space.dimensions", "run.steps", "run.initial", "run.first_step", "run.resumed"}) {
-    if (path == fixed) return true;
-  }
-  if (path.starts_with("target.") && path.ends_with(".name")) return true;
-  if (path == "obstacle" || path.starts_with("obstacle.")) return true;
-  if (path.starts_with("food.") && (path.ends_with(".name") || path.ends_with(".count")))
-    return path.find(".random.") == path.npos;
-  if (!path.starts_with("flock.")) return false;
-  const auto dot = path.find('.', 6);
-  const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
-  return rest == "name" || rest == "count" || rest == "start" || rest.starts_with("start.") ||
-         rest == "colour.start" || rest == "colour";
 }
 
 struct CommandCheck {
@@ -248,7 +258,7 @@ struct CommandCheck {
   using Error = std::optional<std::string>;
 
   Error operator()(const SetParameter& set) const {
-    if (fixed_while_running(set.path)) return say("\"", set.path, "\" can't change while a flock runs");
+    if (is_fixed_while_running(set.path)) return say("\"", set.path, "\" can't change while a flock runs");
     ScenarioDef changed = scenario;
     const Status status = set_parameter(changed, set.path, parse_value(set.value));
     if (!status) return say(set.path, ": ", status.problems().front().text);
@@ -282,6 +292,7 @@ struct CommandCheck {
   }
   Error operator()(const EraseBoids& erase) const {
     if (auto error = check_radius(erase.radius)) return error;
+    if (auto error = check_line(scenario, erase.along)) return error;
     return check_place(scenario, erase.at, "place");
   }
   Error operator()(const MoveBoid& move) const {
@@ -290,6 +301,7 @@ struct CommandCheck {
   }
   Error operator()(const ScatterBoids& scatter) const {
     if (auto error = check_radius(scatter.radius)) return error;
+    if (auto error = check_line(scenario, scatter.along)) return error;
     return check_place(scenario, scatter.at, "place");
   }
   Error operator()(const PlaceTarget& placed) const {
@@ -302,10 +314,29 @@ struct CommandCheck {
     if (auto error = check_place(scenario, obstacle.at, "place")) return error;
     return check_sphere_radius(scenario, obstacle.radius);
   }
-  Error operator()(const MovePointer& pointer) const { return check_place(scenario, pointer.at, "place"); }
+  Error operator()(const MovePointer& pointer) const {
+    if (auto error = check_line(scenario, pointer.along)) return error;
+    return check_place(scenario, pointer.at, "place");
+  }
 };
 
 }  // namespace
+
+bool is_fixed_while_running(std::string_view path) {
+  for (const char* fixed :
+       {"format", "seed", "space.dimensions", "run.steps", "run.initial", "run.first_step", "run.resumed"}) {
+    if (path == fixed) return true;
+  }
+  if (path.starts_with("target.") && path.ends_with(".name")) return true;
+  if (path == "obstacle" || path.starts_with("obstacle.")) return true;
+  if (path.starts_with("food.") && (path.ends_with(".name") || path.ends_with(".count")))
+    return path.find(".random.") == path.npos;
+  if (!path.starts_with("flock.")) return false;
+  const auto dot = path.find('.', 6);
+  const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+  return rest == "name" || rest == "count" || rest == "start" || rest.starts_with("start.") ||
+         rest == "colour.start" || rest == "colour";
+}
 
 bool change_scenario(const Command& command, std::uint64_t step, ScenarioDef& scenario) {
   if (const auto* set = std::get_if<SetParameter>(&command))
@@ -316,6 +347,16 @@ bool change_scenario(const Command& command, std::uint64_t step, ScenarioDef& sc
   }
   const auto* erase = std::get_if<EraseBoids>(&command);
   return erase != nullptr && erase_targets(*erase, step, scenario);
+}
+
+std::array<double, 3> beside(std::array<double, 3> o, const Coordinates& along) {
+  double lengthwise = 0, squared = 0;
+  for (std::size_t axis = 0; axis < along.size(); ++axis) {
+    lengthwise += o[axis] * along[axis];
+    squared += along[axis] * along[axis];
+  }
+  for (std::size_t axis = 0; axis < along.size(); ++axis) o[axis] -= lengthwise / squared * along[axis];
+  return o;
 }
 
 Value to_value(const Event& event) {

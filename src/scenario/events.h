@@ -14,6 +14,9 @@ std::variant<Event, std::string> event_from(const Value& value);
 /// parameters and targets. Tells whether anything changed.
 bool change_scenario(const Command& command, std::uint64_t step, ScenarioDef& scenario);
 
+/// What of an offset is at right angles to a line of any length; all of it where there is none.
+std::array<double, 3> beside(std::array<double, 3> o, const Coordinates& along);
+
 /// What is wrong with a command in this scenario; empty when nothing is.
 std::optional<std::string> check_command(const ScenarioDef& scenario, const Command& command);
 

@@ -6,6 +6,7 @@
 
 #include "base/root.h"
 #include "base/text.h"
+#include "scenario/events.h"
 
 namespace sturnus {
 namespace {
@@ -48,15 +49,15 @@ std::array<double, 3> place_at(const Model& model, const TargetModel& target, do
 }
 
 // In double, by the nearest image.
-double squared_between(const Model& model, const std::array<float, 3>& place, const Coordinates& at) {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < at.size(); ++axis) {
-    double o = double{place[axis]} - at[axis];
+double squared_between(const Model& model, const std::array<float, 3>& place, const EraseBoids& erase) {
+  std::array<double, 3> o{};
+  for (std::size_t axis = 0; axis < erase.at.size(); ++axis) {
+    o[axis] = double{place[axis]} - erase.at[axis];
     const double size = model.size[axis];
-    if (model.wraps()) o -= size * std::floor(o / size + 0.5);
-    sum += o * o;
+    if (model.wraps()) o[axis] -= size * std::floor(o[axis] / size + 0.5);
   }
-  return sum;
+  o = beside(o, erase.along);
+  return o[0] * o[0] + o[1] * o[1] + o[2] * o[2];
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ bool erase_targets(const EraseBoids& erase, std::uint64_t step, ScenarioDef& sce
   place_targets(model, step, places);
   std::vector<TargetDef> kept;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (squared_between(model, places[i], erase.at) > erase.radius * erase.radius)
+    if (squared_between(model, places[i], erase) > erase.radius * erase.radius)
       kept.push_back(std::move(scenario.targets[i]));
   }
   const bool is_changed = kept.size() != places.size();

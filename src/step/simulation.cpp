@@ -10,6 +10,7 @@
 #include "scenario/creatures.h"
 #include "scenario/events.h"
 #include "scenario/obstacles.h"
+#include "scenario/targets.h"
 #include "step/explain.h"
 #include "step/step.h"
 #include "world/commands.h"
@@ -135,13 +136,20 @@ struct Simulation::World {
     if (!has_pointer) return;
     const auto axes = static_cast<std::ptrdiff_t>(model.dimensions);
     const Coordinates at(state.pointer.at.begin(), state.pointer.at.begin() + axes);
-    log.insert(log.begin(), {{first, MovePointer{state.pointer.mode, at, state.pointer.pressed}}, false});
+    MovePointer pointer{state.pointer.mode, at, state.pointer.pressed};
+    if (state.pointer.along != std::array<float, 3>{})
+      pointer.along.assign(state.pointer.along.begin(), state.pointer.along.begin() + axes);
+    log.insert(log.begin(), {{first, std::move(pointer)}, false});
   }
 
-  void record(const Command& command) {
+  void forget_later() {
     const auto is_later_by_hand = [](const Logged& logged) { return logged.by_hand; };
     log.erase(std::remove_if(log.begin() + static_cast<std::ptrdiff_t>(done), log.end(), is_later_by_hand),
               log.end());
+  }
+
+  void record(const Command& command) {
+    forget_later();
     log.insert(log.begin() + static_cast<std::ptrdiff_t>(done), {{state.step, command}, true});
     ++done;
   }
@@ -331,7 +339,7 @@ Snapshot Simulation::snapshot() const {
   return out;
 }
 
-void Simulation::restore(const Snapshot& snapshot) {
+void Simulation::restore(const Snapshot& snapshot, Later later) {
   const FloatSettings settings;
   World& world = *world_;
   const Snapshot::Data& data = *snapshot.data_;
@@ -344,6 +352,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   world.state = data.state;
   world.report = data.report;
   world.done = data.done;
+  if (later == Later::never) world.forget_later();
   world.forget_last_step();
   world.outside.external = {};
 }
@@ -364,6 +373,12 @@ Accelerations Simulation::external() {
 
 void Simulation::watch(StepWatch* watch) {
   world_->outside.watch = watch;
+}
+
+std::vector<std::array<float, 3>> Simulation::target_places() const {
+  std::vector<std::array<float, 3>> places;
+  place_targets(world_->model, world_->state.step, places);
+  return places;
 }
 
 std::vector<std::array<std::array<float, 3>, 2>> Simulation::index_boxes() const {

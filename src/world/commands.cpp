@@ -19,11 +19,24 @@ std::array<float, 3> floats(const Coordinates& at) {
   return out;
 }
 
-// From a place to another, in double, by the nearest image.
-Place<3> offset_from(const Coordinates& at, const Model& model, const std::array<float, 3>& to) {
+// From a command's place, or the line through it, to another place; in double, by the nearest image.
+template <class Reaching>
+Place<3> offset_from(const Reaching& command, const Model& model, const std::array<float, 3>& to) {
   Place<3> from;
-  std::copy(at.begin(), at.end(), from.at.begin());
-  return way(model, from, place_of<3>(to));
+  std::copy(command.at.begin(), command.at.end(), from.at.begin());
+  Place<3> o = way(model, from, place_of<3>(to));
+  o.at = beside(o.at, command.along);
+  return o;
+}
+
+// Of unit length; zero where there is none.
+std::array<float, 3> direction_of(const Coordinates& along) {
+  double squared = 0;
+  for (const double part : along) squared += part * part;
+  std::array<float, 3> out{};
+  for (std::size_t axis = 0; axis < along.size(); ++axis)
+    out[axis] = static_cast<float>(along[axis] / std::sqrt(squared));
+  return out;
 }
 
 std::array<float, 3> place_in(const Columns& position, std::size_t i) {
@@ -34,7 +47,7 @@ std::array<float, 3> place_in(const Columns& position, std::size_t i) {
 
 void erase_obstacles(const Model& model, const EraseBoids& erase, State& state) {
   std::erase_if(state.obstacles, [&](const Obstacle& obstacle) {
-    const auto o = offset_from(erase.at, model, obstacle.at);
+    const auto o = offset_from(erase, model, obstacle.at);
     return obstacle.kind != ObstacleKind::plane && dot(o, o) <= erase.radius * erase.radius;
   });
 }
@@ -82,13 +95,13 @@ struct Applier {
     erase_obstacles(model, erase, state);
     std::vector<std::uint8_t> marks(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(erase.at, model, place_in(state.position, i));
+      const auto o = offset_from(erase, model, place_in(state.position, i));
       marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
     }
     keep(state, marks);
     marks.resize(state.food.size());
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      const auto o = offset_from(erase.at, model, place_in(state.food.position, i));
+      const auto o = offset_from(erase, model, place_in(state.food.position, i));
       marks[i] = dot(o, o) > erase.radius * erase.radius ? 1 : 0;
     }
     keep(state.food, marks);
@@ -116,7 +129,7 @@ struct Applier {
   Applied operator()(const MovePointer& pointer) const {
     // Released, it has no mode: events write it as "off".
     state.pointer = {pointer.pressed ? pointer.mode : PointerMode::attract, pointer.pressed,
-                     floats(pointer.at)};
+                     floats(pointer.at), direction_of(pointer.along)};
     if (!model.wraps()) return {};
     for (std::size_t axis = 0; axis < pointer.at.size(); ++axis) {
       state.pointer.at[axis] = wrapped(state.pointer.at[axis], model.min[axis], model.max[axis]);
@@ -126,7 +139,7 @@ struct Applier {
 
   Applied operator()(const ScatterBoids& scatter) const {
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const auto o = offset_from(scatter.at, model, place_in(state.position, i));
+      const auto o = offset_from(scatter, model, place_in(state.position, i));
       if (dot(o, o) > scatter.radius * scatter.radius || state.quarantined[i] != 0) continue;
       model.dimensions == 3 ? scatter_boid<3>(model, o, state, i) : scatter_boid<2>(model, o, state, i);
     }

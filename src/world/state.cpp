@@ -93,6 +93,9 @@ std::uint64_t hash(const State& state) {
       fold(fold(fold(0, state.step), state.next_id), static_cast<std::uint64_t>(state.dimensions));
   rest = fold(rest, static_cast<std::uint64_t>(state.pointer.mode) * 2 + (state.pointer.pressed ? 1 : 0));
   for (const float coordinate : state.pointer.at) rest = fold(rest, bits_of(coordinate));
+  if (state.pointer.along != std::array<float, 3>{}) {
+    for (const float coordinate : state.pointer.along) rest = fold(rest, bits_of(coordinate));
+  }
   return sum + rest + hash_of(state.obstacles);
 }
 

@@ -45,6 +45,14 @@ TEST(Pointer, IsFeltOnlyWhilePressedAndInRange) {
   expect_near(felt(world_with(SteeringForm::linear), {PointerMode::attract, {10, 0}, true}, boid), {5, 0, 0});
 }
 
+TEST(Pointer, ThatIsALineIsFeltFromItsNearestPoint) {
+  ScenarioDef scenario = world_with(SteeringForm::linear);
+  scenario.space.dimensions = 3;
+  scenario.space.min = {-900, -900, -900};
+  scenario.space.max = {900, 900, 900};
+  expect_near(felt(scenario, {PointerMode::attract, {3, 4, 700}, true, {0, 0, 1}}, boid), {1.5f, 2, 0});
+}
+
 TEST(Pointer, AtTheBoidItselfHasNoDirection) {
   expect_near(felt(world_with(SteeringForm::heading), {PointerMode::attract, {0, 0}, true}, boid), {});
   expect_near(felt(world_with(SteeringForm::linear), {PointerMode::attract, {0, 0}, true}, boid), {});

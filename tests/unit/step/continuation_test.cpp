@@ -133,6 +133,35 @@ TEST(Branches, CommandsOfAnotherBranchStayThere) {
   EXPECT_EQ(simulation.hash(), untouched);
 }
 
+TEST(Branches, WhatNeverWasIsNotDoneAgain) {
+  ScenarioDef scenario = small();
+  scenario.run.events = {event_at(15, AddBoids{"boids", 3, {0, 0}, 4})};
+  Simulation simulation = start(scenario);
+  simulation.run(10);
+  const Snapshot at_10 = simulation.snapshot();
+  must(simulation.push(EraseBoids{{0, 0}, 30}));
+  simulation.run(10);
+  simulation.restore(at_10, Later::never);
+  simulation.run(10);
+  Simulation untouched = start(scenario);
+  untouched.run(20);
+  EXPECT_EQ(simulation.hash(), untouched.hash());
+  EXPECT_EQ(simulation.recording().run.events.size(), 1u);
+}
+
+TEST(Targets, TheirPlacesAreThoseOfTheStep) {
+  ScenarioDef scenario = small();
+  TargetDef target;
+  target.at = {10, 20};
+  target.motion = TargetMotion::line;
+  target.velocity = {1, -2};
+  scenario.targets = {target};
+  Simulation simulation = start(scenario);
+  simulation.run(3);
+  ASSERT_EQ(simulation.target_places().size(), 1u);
+  EXPECT_EQ(simulation.target_places()[0], (std::array<float, 3>{13, 14, 0}));
+}
+
 TEST(HostSettings, TheHostsRoundingChangesNothing) {
   ScenarioDef scenario = small();
   scenario.space.boundary.kind = BoundaryKind::open;

@@ -36,6 +36,25 @@ TEST(Commands, EraseTakesWhoIsWithinTheRadiusOverTheSeamToo) {
   EXPECT_EQ(simulation.view().state().id, (std::vector<std::uint64_t>{2, 4}));  // ids are never used twice
 }
 
+TEST(Commands, AHandInSpaceReachesAlongItsLine) {
+  Simulation simulation = world_of(bare(3), {{{1, 0, -500}}, {{0, 1, 500}}, {{4, 0, 0}}});
+  must(simulation.push(EraseBoids{{0, 0, 7}, 2, {0, 0, -3}}));
+  EXPECT_EQ(simulation.view().state().id, (std::vector<std::uint64_t>{2}));
+  must(simulation.push(MovePointer{PointerMode::attract, {0, 0, 0}, true, {0, 4, 0}}));
+  EXPECT_EQ(simulation.view().state().pointer.along, (Point{0, 1, 0}));
+  EXPECT_FALSE(simulation.push(EraseBoids{{0, 0, 0}, 2, {0, 0, 0}}));
+  EXPECT_FALSE(simulation.push(EraseBoids{{0, 0, 0}, 2, {0, 1}}));
+}
+
+TEST(Commands, ABurstFromALineGoesStraightAwayFromIt) {
+  ScenarioDef scenario = bare(3);
+  scenario.flocks.front().max_speed = 5;
+  Simulation simulation = world_of(scenario, {{{3, 4, 90}, {1, 0, 0}}, {{30, 40, 0}, {1, 0, 0}}});
+  must(simulation.push(ScatterBoids{{0, 0, 0}, 10, {0, 0, 2}}));
+  EXPECT_EQ(velocity_of(simulation, 0), (Point{3, 4, 0}));
+  EXPECT_EQ(velocity_of(simulation, 1), (Point{1, 0, 0}));
+}
+
 TEST(Commands, MoveSetsPlaceAndVelocity) {
   Simulation simulation = world_of(wrapped_world(), {{{1, 1}, {1, 0}}});
   must(simulation.push(MoveBoid{0, {130, 20}, {0, 3}}));
