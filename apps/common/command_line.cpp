@@ -251,7 +251,7 @@ std::string unexpected_words(const CLI::App& app) {
            command.get_name() + " " + before.front();
   }
   if (!before.empty()) return unknown_command(app, before.front());
-  if (&command == &app) return {};
+  if (&command == &app || command.get_prefix_command()) return {};
   const std::vector<std::string> after = command.remaining();
   const auto option = std::find_if(after.begin(), after.end(), is_option);
   if (option != after.end()) return unknown_option(command, *option);

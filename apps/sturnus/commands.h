@@ -17,5 +17,6 @@ void add_bench(CLI::App& app, Request& request);
 void add_explain(CLI::App& app, Request& request);
 void add_compare(CLI::App& app, Request& request);
 void add_shadertoy(CLI::App& app, Request& request);
+void add_studio(CLI::App& app, Request& request);
 
 }  // namespace program

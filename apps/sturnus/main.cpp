@@ -35,6 +35,7 @@ void describe(CLI::App& app, Request& request) {
   add_explain(app, request);
   add_compare(app, request);
   add_shadertoy(app, request);
+  add_studio(app, request);
 }
 
 }  // namespace

@@ -7,41 +7,13 @@
 #include <cstdlib>
 #include <string>
 
-#include "program.h"
+#include "screen.h"
 
 namespace program_test {
-
-/// A variable of the surroundings, for as long as this lives.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    setenv(name, value.c_str(), 1);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-  ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
-
- private:
-  const char* name_;
-  std::string before_;
-};
 
 inline Words prog06_words(const Words& arguments) {
   Words words = {PROG06_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return words;
-}
-
-/// The words of a line with single spaces between them.
-inline Words split(const std::string& line) {
-  Words words;
-  std::size_t begin = 0;
-  while (begin < line.size()) {
-    const std::size_t end = std::min(line.find(' ', begin), line.size());
-    if (end > begin) words.push_back(line.substr(begin, end - begin));
-    begin = end + 1;
-  }
   return words;
 }
 

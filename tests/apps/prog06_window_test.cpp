@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "prog06_support.h"
+#include "screen.h"
 
 namespace program_test {
 namespace {
@@ -16,68 +17,28 @@ using sturnus::Image;
 
 constexpr sturnus::Size size{320, 240};
 
-bool is_installed(const char* program) {
-  return Running({"/bin/sh", "-c", std::string("command -v ") + program}, {}).wait().code == 0;
-}
-
-// Asks again and again, for half a minute.
-template <class Question>
-bool wait_for(const Question& question) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!question()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return true;
-}
-
-class Prog06Window : public ProgramTest {
+class Prog06Window : public ScreenTest {
  protected:
   void SetUp() override {
-    ProgramTest::SetUp();
-    if (!is_installed("Xvfb")) GTEST_SKIP() << "there is no Xvfb (package xvfb)";
-    if (!is_installed("xdotool")) GTEST_SKIP() << "there is no xdotool (package xdotool)";
-    server_ = std::make_unique<Running>(
-        Words{"/bin/sh", "-c",
-              "exec Xvfb -displayfd 3 -screen 0 800x600x24 -fbdir . -nolisten tcp 3>display"},
-        here());
-    ASSERT_TRUE(wait_for([&] { return exists("display") && line_count(read("display")) == 1; }));
-    const std::string number = read("display");
-    display_ = std::make_unique<Variable>("DISPLAY", ":" + number.substr(0, number.size() - 1));
-    start();
+    ScreenTest::SetUp();
+    if (!IsSkipped()) start();
   }
 
   void TearDown() override {
     program_.reset();
-    if (server_) {  // asked to end, it takes its lock on the display with it
-      kill(server_->id(), SIGTERM);
-      server_->wait();
-    }
-    server_.reset();
-    ProgramTest::TearDown();
+    ScreenTest::TearDown();
   }
 
   // Opens the window and gives it the keyboard.
   void start() {
     program_ =
         std::make_unique<Running>(prog06_words(split("200 0.4 0.1 0.3 1.0 out.ppm --size 320x240")), here());
-    ASSERT_TRUE(wait_for([&] { return !(window_ = find_window()).empty(); }));
+    ASSERT_TRUE(wait_for([&] { return !(window_ = find_window("^prog06")).empty(); }));
     ASSERT_TRUE(
         wait_for([&] { return xdotool("getwindowname " + window_) == "prog06: 200 boids, step 0\n"; }));
     xdotool("windowfocus " + window_);
     ASSERT_TRUE(wait_for([&] { return xdotool("getwindowfocus") == window_ + "\n"; }));
   }
-
-  std::string find_window() const {
-    const std::string found = xdotool("search --onlyvisible --name ^prog06");
-    return found.substr(0, found.find('\n'));
-  }
-
-  std::string xdotool(const std::string& line) const {
-    Words words = split("xdotool " + line);
-    return Running(words, here()).wait().out;
-  }
-  void press(const std::string& key) const { xdotool("key " + key); }
 
   int step() const {
     const std::string title = xdotool("getwindowname " + window_);
@@ -141,8 +102,7 @@ class Prog06Window : public ProgramTest {
     return -1;
   }
 
-  std::unique_ptr<Running> server_, program_;
-  std::unique_ptr<Variable> display_;
+  std::unique_ptr<Running> program_;
   std::string window_;
 };
 

@@ -1,0 +1,28 @@
+// Small deeds of the desk.
+#include "desk.h"
+
+namespace studio {
+namespace {
+
+constexpr double note_seconds = 6, problem_seconds = 12;
+
+}  // namespace
+
+void Desk::say(std::string text, bool is_problem) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  notes.push_back({{std::move(text), is_problem}, is_problem ? problem_seconds : note_seconds});
+}
+
+void Desk::set(const std::string& path, const std::string& value, std::uint64_t gesture) {
+  session.act(sturnus::SetParameter{path, value}, path, gesture);
+}
+
+void Desk::toggle_recording() {
+  if (recorder.is_recording()) return recorder.stop();
+  const std::string name = std::filesystem::path(scenario().name).filename().string() + "-" +
+                           std::to_string(frame->step) + (film.is_gif ? ".gif" : ".mp4");
+  const sturnus::Status status = recorder.start(free_name(name), pixels, film);
+  if (!status) say(status.error(), true);
+}
+
+}  // namespace studio

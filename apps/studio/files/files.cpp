@@ -1,0 +1,100 @@
+// Opening, watching, dropping and pasting.
+#include "files/files.h"
+
+#include <SDL.h>
+#include <sturnus/files.h>
+
+#include "desk.h"
+#include "files/recent.h"
+#include "session/replacing.h"
+
+namespace studio {
+namespace {
+
+using sturnus::ScenarioDef;
+
+constexpr double seconds_between_looks = 0.5;
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+}  // namespace
+
+std::optional<Files::Look> Files::look_at(const std::string& path) {
+  std::error_code error;
+  Look look;
+  look.time = std::filesystem::last_write_time(path, error);
+  if (!error) look.size = std::filesystem::file_size(path, error);
+  if (error) return {};
+  return look;
+}
+
+void Files::watch(const ScenarioDef& scenario) {
+  look_ = look_at(scenario.file);
+  path_ = look_ ? scenario.file : "";
+  read_ = scenario;
+  if (!path_.empty()) remember_file(recent_list_path(), path_);
+}
+
+void Files::open(Desk& desk, const std::string& path) {
+  const auto scenario = sturnus::load_scenario(path);
+  if (!scenario) return desk.say(scenario.error(), true);
+  open_in(desk.session, *scenario, "open " + scenario->name);
+  watch(*scenario);
+}
+
+void Files::open(Desk& desk, const ScenarioDef& scenario) {
+  open_in(desk.session, scenario, "open " + scenario.name);
+  path_.clear();
+}
+
+void Files::drop(Desk& desk, const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".toml") return open(desk, path);
+  if (ending == ".csv") return replace_boids(desk, path);
+  desk.say(file_name(path) + ": only scenarios (.toml) and states (.csv) can be dropped here.", true);
+}
+
+void Files::replace_boids(Desk& desk, const std::string& path) {
+  ScenarioDef scenario = desk.scenario();
+  scenario.run.initial = std::filesystem::absolute(path).string();
+  scenario.run.first_step = 0;
+  scenario.run.resumed = false;
+  scenario.run.events.clear();
+  open_in(desk.session, scenario, "boids of " + file_name(path),
+          "The boids are those of " + file_name(path) + ".");
+}
+
+void Files::poll(Desk& desk) {
+  if (path_.empty() || desk.seconds < next_look_) return;
+  next_look_ = desk.seconds + seconds_between_looks;
+  const auto look = look_at(path_);
+  const bool is_half_written = look && look->size == 0;  // editors empty a file before they fill it
+  if (!look || look == look_ || is_half_written) return;
+  look_ = look;
+  const auto scenario = sturnus::load_scenario(path_);
+  if (!scenario) return desk.say(scenario.error(), true);
+  reload_in(desk.session, read_, *scenario);
+  read_ = *scenario;
+}
+
+void Files::copy(Desk& desk) const {
+  const bool copied = SDL_SetClipboardText(to_toml(with_whole_paths(desk.scenario())).c_str()) == 0;
+  desk.say(copied ? "The scenario is in the clipboard."
+                  : std::string("The clipboard takes nothing: ") + SDL_GetError(),
+           !copied);
+}
+
+void Files::paste(Desk& desk) {
+  char* held = SDL_GetClipboardText();
+  const std::string text = held == nullptr ? "" : held;
+  SDL_free(held);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    return desk.say("The clipboard holds no text; copy a scenario first.", true);
+  const auto scenario = sturnus::parse_scenario(text, "clipboard");
+  if (!scenario) return desk.say(scenario.error(), true);
+  open(desk, *scenario);
+}
+
+}  // namespace studio

@@ -1,0 +1,56 @@
+// Files that come into the world and go out of it: opened, watched, dropped, pasted and saved.
+#pragma once
+
+#include <sturnus/scenario.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace studio {
+
+struct Desk;
+
+class Files {
+ public:
+  /// Watches a file that the world was made of.
+  void watch(const sturnus::ScenarioDef& scenario);
+  /// Opens a scenario's file in place of the world, or says what is wrong with it.
+  void open(Desk& desk, const std::string& path);
+  /// Opens a scenario that is no file of its own.
+  void open(Desk& desk, const sturnus::ScenarioDef& scenario);
+  /// A file that was dropped on the window: a scenario, or a state whose boids replace those that are there.
+  void drop(Desk& desk, const std::string& path);
+  /// Looks twice a second whether the watched file changed.
+  void poll(Desk& desk);
+  const std::string& watched() const { return path_; }
+
+  void copy(Desk& desk) const;
+  void paste(Desk& desk);
+
+  /// Each writes a file of its own; an empty name: one is made of the scenario's name and the step.
+  void save_scenario(Desk& desk, const std::string& name = "") const;
+  void save_session(Desk& desk, const std::string& name = "") const;
+  void save_state(Desk& desk, const std::string& name = "") const;
+
+ private:
+  /// How a file looked from outside.
+  struct Look {
+    std::filesystem::file_time_type time;
+    std::uintmax_t size = 0;
+    friend bool operator==(const Look&, const Look&) = default;
+  };
+  static std::optional<Look> look_at(const std::string& path);
+  void replace_boids(Desk& desk, const std::string& path);
+
+  std::string path_;           ///< empty: nothing is watched
+  sturnus::ScenarioDef read_;  ///< as the file was read last
+  std::optional<Look> look_;
+  double next_look_ = 0;  ///< seconds since the start
+};
+
+/// A name that no file has: the name itself, or with -2, -3 ... before its ending.
+std::string free_name(const std::string& name);
+
+}  // namespace studio

@@ -1,0 +1,74 @@
+// Opening and reloading, as orders to the session.
+#include "session/replacing.h"
+
+#include <sturnus/files.h>
+
+#include <filesystem>
+
+#include "session/differences.h"
+
+namespace studio {
+namespace {
+
+using sturnus::ScenarioDef;
+using sturnus::Status;
+
+std::string count_of(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " change is" : " changes are");
+}
+
+Status replace(World& world, const ScenarioDef& scenario, const std::string& label) {
+  auto simulation = sturnus::open_simulation(scenario, world.simulation().threads());
+  if (!simulation) return simulation.problems();
+  world.replace(std::move(*simulation), label);
+  return {};
+}
+
+Status begin_anew(Session& session, World& world, const ScenarioDef& scenario, const std::string& reason) {
+  const Status status = replace(world, scenario, "reload " + scenario.name);
+  if (status)
+    session.note(
+        {scenario.file + ": " + reason + ", so the world began anew. Undo brings the old one back."});
+  return status;
+}
+
+std::string without_end(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void open_in(Session& session, const ScenarioDef& scenario, const std::string& label,
+             const std::string& told) {
+  session.order([&session, scenario, label, told](World& world) {
+    const Status status = replace(world, scenario, label);
+    if (status && !told.empty()) session.note({told});
+    return status;
+  });
+}
+
+void reload_in(Session& session, const ScenarioDef& before, const ScenarioDef& after) {
+  session.order([&session, before, after](World& world) -> Status {
+    if (world.simulation().scenario().file != after.file)
+      return begin_anew(session, world, after, "another world was running");
+    const Differences found = differences(before, after);
+    if (!found.is_all) return begin_anew(session, world, after, "what changed is more than numbers");
+    if (const Status status = set_all(world, found.set); !status)
+      return begin_anew(session, world, after, without_end(status.problems().front().text));
+    if (!found.set.empty()) session.note({after.file + ": " + count_of(found.set.size()) + " in force."});
+    return {};
+  });
+}
+
+ScenarioDef with_whole_paths(ScenarioDef scenario) {
+  const std::filesystem::path folder = std::filesystem::path(scenario.file).parent_path();
+  const auto make_whole = [&](std::string& path) {
+    if (!path.empty()) path = std::filesystem::absolute(folder / path).lexically_normal().string();
+  };
+  make_whole(scenario.run.initial);
+  for (sturnus::FlockDef& flock : scenario.flocks) make_whole(flock.start.file);
+  return scenario;
+}
+
+}  // namespace studio

@@ -1,0 +1,21 @@
+// Other worlds in place of the one that runs; undo brings it back.
+#pragma once
+
+#include <sturnus/scenario.h>
+
+#include "session/session.h"
+
+namespace studio {
+
+/// Opens a scenario in place of the world. What stands in its way is noted, and the old world goes on. `told`
+/// is noted when the new world is there.
+void open_in(Session& session, const sturnus::ScenarioDef& scenario, const std::string& label,
+             const std::string& told = "");
+
+/// Makes the world what a changed file says: parameters are set where it runs, anything else begins it anew.
+void reload_in(Session& session, const sturnus::ScenarioDef& before, const sturnus::ScenarioDef& after);
+
+/// The scenario with paths that do not depend on where it stands.
+sturnus::ScenarioDef with_whole_paths(sturnus::ScenarioDef scenario);
+
+}  // namespace studio

@@ -1,0 +1,263 @@
+// Steps, deeds and their undoing.
+#include "session/world.h"
+
+#include <sturnus/files.h>
+#include <sturnus/parameters.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "session/packing.h"
+
+namespace studio {
+namespace {
+
+using sturnus::Command;
+using sturnus::SetParameter;
+using sturnus::Simulation;
+using sturnus::Status;
+
+// A quarter of the history's memory is for the moments before deeds.
+constexpr std::size_t deeds_share = 4;
+
+}  // namespace
+
+World::World(Simulation simulation, std::size_t history_bytes)
+    : simulation_(std::move(simulation)), history_bytes_(history_bytes), history_(history_bytes) {
+  history_.start(simulation_);
+  last_ = simulation_.step_number();
+  events_ = simulation_.recording().run.events;
+  opened_ = std::make_shared<const sturnus::ScenarioDef>(simulation_.scenario());
+}
+
+void World::step() {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  simulation_.step();
+  step_seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
+  last_ = std::max(last_, simulation_.step_number());
+  scenario_ = nullptr;
+  history_.follow(simulation_);
+}
+
+Status World::act(const Command& command, const std::string& label, std::uint64_t gesture) {
+  const std::optional<Change> change = change_of(command);
+  const bool is_new = !label.empty() && !goes_on(change.has_value(), gesture);
+  Deed deed;
+  deed.label = label;
+  deed.gesture = gesture;
+  deed.step = simulation_.step_number();
+  if (is_new && !change) deed.moment = simulation_.snapshot();
+  if (const Status status = simulation_.push(command); !status) return status;
+  scenario_ = nullptr;
+  way_to_.reset();
+  last_ = simulation_.step_number();
+  history_.cut(last_);
+  history_.amend(simulation_);
+  if (is_new) remember(std::move(deed));
+  if (!label.empty() && change) add(*change, undo_.back());
+  return {};
+}
+
+// What a command does to a parameter that has a value which can be put back.
+std::optional<World::Change> World::change_of(const Command& command) const {
+  const auto* set = std::get_if<SetParameter>(&command);
+  if (set == nullptr) return {};
+  const auto before = sturnus::get_parameter(simulation_.scenario(), set->path);
+  if (!before || before->empty()) return {};
+  return Change{set->path, *before, set->value};
+}
+
+bool World::goes_on(bool is_change, std::uint64_t gesture) const {
+  if (gesture == 0 || undo_.empty() || undo_.back().gesture != gesture) return false;
+  return is_change || undo_.back().moment.has_value();
+}
+
+// Of one parameter only the first value before and the last one after count.
+void World::add(const Change& change, Deed& deed) {
+  if (deed.moment) return;
+  for (Change& known : deed.changes) {
+    if (known.path != change.path) continue;
+    known.after = change.after;
+    return;
+  }
+  deed.changes.push_back(change);
+}
+
+void World::remember(Deed deed) {
+  const auto is_dead = [&](const Deed& other) { return other.step > deed.step; };
+  undo_.erase(std::remove_if(undo_.begin(), undo_.end(), is_dead), undo_.end());
+  redo_.clear();
+  undo_.push_back(std::move(deed));
+  while (undo_.size() > 1 && bytes_of_deeds() > history_bytes_ / deeds_share) undo_.erase(undo_.begin());
+}
+
+std::size_t World::bytes_of_deeds() const {
+  const std::size_t moment = size_of(simulation_.view().state());
+  std::size_t bytes = 0;
+  for (const Deed& deed : undo_) bytes += deed.moment || deed.other ? moment : 0;
+  return bytes;
+}
+
+bool World::undo() {
+  const auto is_later = [&](const Deed& deed) {
+    return deed.step > simulation_.step_number() && !deed.other;
+  };
+  undo_.erase(std::remove_if(undo_.begin(), undo_.end(), is_later), undo_.end());
+  return take_back(undo_, redo_);
+}
+
+bool World::redo() {
+  return take_back(redo_, undo_);
+}
+
+// Every parameter of a deed, the last one first.
+bool World::put_back(const Deed& deed) {
+  bool all = true;
+  for (auto change = deed.changes.rbegin(); change != deed.changes.rend(); ++change)
+    all = static_cast<bool>(simulation_.push(SetParameter{change->path, change->before})) && all;
+  history_.cut(simulation_.step_number());
+  history_.amend(simulation_);
+  return all;
+}
+
+// Takes the last deed of one list back, and puts what leads here again into the other.
+bool World::take_back(std::vector<Deed>& from, std::vector<Deed>& to) {
+  if (from.empty()) return false;
+  Deed deed = std::move(from.back());
+  from.pop_back();
+  Deed back;
+  back.label = deed.label;
+  back.step = simulation_.step_number();
+  if (!deed.changes.empty()) {
+    if (!put_back(deed)) return false;
+    for (auto change = deed.changes.rbegin(); change != deed.changes.rend(); ++change)
+      back.changes.push_back({change->path, change->after, change->before});
+  } else if (deed.other) {
+    back.other = std::make_shared<Simulation>(std::move(simulation_));
+    back.opened = std::exchange(opened_, deed.opened);
+    simulation_ = std::move(*deed.other);
+    history_.start(simulation_);
+    jumped();
+  } else {
+    back.moment = simulation_.snapshot();
+    simulation_.restore(*deed.moment, sturnus::Later::never);
+    if (simulation_.step_number() < history_.first()) history_.start(simulation_);
+    history_.cut(simulation_.step_number());
+    history_.amend(simulation_);
+    jumped();
+  }
+  last_ = simulation_.step_number();
+  scenario_ = nullptr;
+  to.push_back(std::move(back));
+  return true;
+}
+
+void World::jumped() {
+  ++generation_;
+  scenario_ = nullptr;
+  way_to_.reset();
+}
+
+bool World::go_to(std::uint64_t step) {
+  const std::uint64_t wanted = std::clamp(step, history_.first(), std::max(history_.first(), last_));
+  if (way_to_ != wanted) {
+    const std::uint64_t now = simulation_.step_number();
+    const sturnus::Snapshot& moment = history_.before(wanted);
+    if (wanted < now || moment.step() > now) simulation_.restore(moment);
+    jumped();
+    way_to_ = wanted;
+  }
+  if (simulation_.step_number() < wanted) simulation_.step();
+  scenario_ = nullptr;
+  if (simulation_.step_number() < wanted) return false;
+  way_to_.reset();
+  return true;
+}
+
+void World::replace(Simulation simulation, const std::string& label) {
+  Deed deed;
+  deed.label = label;
+  deed.step = simulation_.step_number();
+  deed.other = std::make_shared<Simulation>(std::move(simulation_));
+  deed.opened = opened_;
+  simulation_ = std::move(simulation);
+  opened_ = std::make_shared<const sturnus::ScenarioDef>(simulation_.scenario());
+  undo_.clear();
+  redo_.clear();
+  undo_.push_back(std::move(deed));
+  history_.start(simulation_);
+  last_ = simulation_.step_number();
+  events_ = simulation_.recording().run.events;
+  tracked_.reset();
+  jumped();
+}
+
+Status World::restart(std::int64_t seed) {
+  sturnus::ScenarioDef scenario = simulation_.scenario();
+  scenario.seed = seed;
+  scenario.run.events = events_;
+  auto fresh = sturnus::open_simulation(scenario, simulation_.threads());
+  if (!fresh) return fresh.problems();
+  const auto opened = opened_;  // starting again opens nothing new
+  replace(std::move(*fresh), "restart");
+  opened_ = opened;
+  return {};
+}
+
+void World::track_next(int direction) {
+  const sturnus::View view = simulation_.view();
+  const std::vector<std::uint32_t> slots = view.slots_by_id();
+  if (slots.empty()) return tracked_.reset();
+  const std::uint64_t id = tracked_.value_or(0);
+  const auto at =
+      std::lower_bound(slots.begin(), slots.end(), id,
+                       [&](std::uint32_t slot, std::uint64_t value) { return view.id(slot) < value; });
+  std::ptrdiff_t place = at - slots.begin();
+  const auto count = static_cast<std::ptrdiff_t>(slots.size());
+  const bool is_there = at != slots.end() && view.id(*at) == id;
+  if (direction < 0 || is_there) place += direction;
+  tracked_ = view.id(slots[static_cast<std::size_t>((place % count + count) % count)]);
+}
+
+void World::keep_tracked() {
+  if (tracked_ && !simulation_.view().slot(*tracked_)) track_next(1);
+}
+
+void World::show(Frame& frame) {
+  if (!scenario_) scenario_ = std::make_shared<const sturnus::ScenarioDef>(simulation_.scenario());
+  keep_tracked();
+  pack(simulation_, frame);
+  frame.generation = generation_;
+  frame.scenario = scenario_;
+  frame.opened = opened_;
+  frame.step_seconds = step_seconds_;
+  frame.reach = {history_.first(), last_, undo_.empty() ? "" : undo_.back().label,
+                 redo_.empty() ? "" : redo_.back().label};
+  frame.tracked.reset();
+  frame.explained.reset();
+  if (tracked_) {
+    if (auto told = simulation_.explain(*tracked_)) frame.explained = std::move(*told);
+    if (const auto slot = simulation_.view().slot(*tracked_)) frame.tracked = *slot;
+  }
+  frame.index_boxes.clear();
+  if (wishes_.index) frame.index_boxes = simulation_.index_boxes();
+  if (!wishes_.neighbours) return;
+  const std::vector<std::uint32_t> counts = sturnus::neighbour_counts(simulation_.view());
+  for (std::size_t slot = 0; slot < counts.size(); ++slot)
+    frame.boids[slot].crowd = static_cast<std::uint8_t>(std::min(counts[slot], 255u));
+}
+
+Sample World::sample(double link) const {
+  Sample sample;
+  const sturnus::View view = simulation_.view();
+  sample.generation = generation_;
+  sample.measures = sturnus::measure(view, link);
+  sample.population.assign(view.scenario().flocks.size(), 0);
+  for (const std::uint8_t flock : view.state().flock) ++sample.population[flock];
+  sample.food = view.state().food.size();
+  sample.step_seconds = step_seconds_;
+  return sample;
+}
+
+}  // namespace studio

@@ -1,0 +1,109 @@
+// The world behind the window, on whatever thread it is asked: the simulation, its past, what can be undone,
+// and whom we follow. It knows no window and no clock.
+#pragma once
+
+#include <sturnus/measure.h>
+#include <sturnus/simulation.h>
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "session/frame.h"
+#include "session/history.h"
+
+namespace studio {
+
+/// One line of the plots.
+struct Sample {
+  std::uint64_t generation = 0;
+  sturnus::Measures measures;
+  std::vector<std::size_t> population;  ///< by flock
+  std::size_t food = 0;                 ///< pieces
+  double step_seconds = 0;              ///< what the last step took
+};
+
+/// What the window wants to have in its frames besides the boids.
+struct Wishes {
+  bool index = false;       ///< the cells or leaves of the neighbour index
+  bool neighbours = false;  ///< Instance::crowd
+
+  friend bool operator==(const Wishes&, const Wishes&) = default;
+};
+
+class World {
+ public:
+  World(sturnus::Simulation simulation, std::size_t history_bytes);
+
+  /// One step, remembered.
+  void step();
+  /// Does a command. `label` is what undo calls it; empty: it can't be undone. Commands of one gesture (not
+  /// 0) are undone together.
+  sturnus::Status act(const sturnus::Command& command, const std::string& label, std::uint64_t gesture = 0);
+  /// Undoing a changed parameter puts its value back; undoing anything else takes the world back to the
+  /// moment before it. Redoing leads to where the world was when it was undone.
+  bool undo();
+  bool redo();
+
+  /// Goes to a step of the past or of the future that was seen before; later commands are done again on the
+  /// way. Long ways take many calls: true when there.
+  bool go_to(std::uint64_t step);
+  /// Another simulation in place of this one, which `undo` brings back.
+  void replace(sturnus::Simulation simulation, const std::string& label);
+  /// The scenario as it stands, parameters that were changed included, from its start.
+  sturnus::Status restart(std::int64_t seed);
+
+  /// Whom to follow; nobody: a number that no boid has. When it dies another one is taken.
+  void track(std::optional<std::uint64_t> id) { tracked_ = id; }
+  /// The next boid by id, or the one before (direction -1).
+  void track_next(int direction);
+  void wish(const Wishes& wishes) { wishes_ = wishes; }
+
+  /// Fills a frame with the world as it stands.
+  void show(Frame& frame);
+  Sample sample(double link = 0) const;
+
+  const sturnus::Simulation& simulation() const { return simulation_; }
+  std::uint64_t generation() const { return generation_; }
+  std::uint64_t last() const { return last_; }
+  const History& history() const { return history_; }
+
+ private:
+  struct Change {
+    std::string path, before, after;
+  };
+  struct Deed {
+    std::string label;
+    std::uint64_t gesture = 0;
+    std::uint64_t step = 0;
+    std::vector<Change> changes;                         ///< of parameters, in their order; or there is
+    std::optional<sturnus::Snapshot> moment;             ///< the world before it (undo) or after it (redo)
+    std::shared_ptr<sturnus::Simulation> other;          ///< or another world
+    std::shared_ptr<const sturnus::ScenarioDef> opened;  ///< and its scenario as it was opened
+  };
+  std::optional<Change> change_of(const sturnus::Command& command) const;
+  bool goes_on(bool is_change, std::uint64_t gesture) const;
+  static void add(const Change& change, Deed& deed);
+  bool put_back(const Deed& deed);
+  void remember(Deed deed);
+  bool take_back(std::vector<Deed>& from, std::vector<Deed>& to);
+  void jumped();
+  void keep_tracked();
+  std::size_t bytes_of_deeds() const;
+
+  sturnus::Simulation simulation_;
+  std::size_t history_bytes_;
+  History history_;
+  std::vector<Deed> undo_, redo_;
+  std::shared_ptr<const sturnus::ScenarioDef> scenario_;  ///< a copy for frames; null after a change
+  std::shared_ptr<const sturnus::ScenarioDef> opened_;    ///< as it was when it was opened
+  std::optional<std::uint64_t> tracked_;
+  Wishes wishes_;
+  std::vector<sturnus::Event> events_;  ///< of the scenario as it was opened
+  std::uint64_t generation_ = 1;
+  std::uint64_t last_ = 0;
+  std::optional<std::uint64_t> way_to_;  ///< a step that `go_to` has not reached yet
+  double step_seconds_ = 0;
+};
+
+}  // namespace studio

@@ -1,0 +1,123 @@
+// Films and scripted visits: sizes and numbers of frames, what a script does, and how it is refused.
+#include "script/play.h"
+#include "studio_support.h"
+
+namespace studio {
+namespace {
+
+std::string probe(const std::string& file) {
+  return output_of(
+      "ffprobe -v error -count_frames -select_streams v -show_entries "
+      "stream=width,height,nb_read_frames -of csv=p=0 " +
+      file);
+}
+
+Script script_of(const std::string& text) {
+  auto script = parse_script(text, "visit.txt");
+  EXPECT_TRUE(script) << script.error();
+  return script ? *script : Script();
+}
+
+class StudioFilm : public StudioTest {};
+
+TEST_F(StudioFilm, HasTheWindowsSizeAndAFrameForEveryThirtiethWhileStepsGoOn) {
+  open("ucsd");
+  const std::uint64_t step = desk().frame->step;
+  desk().film.waits = true;
+  press(SDLK_r);
+  ASSERT_TRUE(desk().recorder.is_recording()) << said();
+  frames(58);  // two more were shown with the key
+  press(SDLK_r);
+  EXPECT_FALSE(desk().recorder.is_recording());
+  const Film film = desk().recorder.finish();
+  ASSERT_TRUE(film.status) << film.status.error();
+  EXPECT_EQ(film.missing, 0u);
+  EXPECT_EQ(probe(film.path), "640,400,30\n");
+  EXPECT_GE(desk().frame->step, step + 28);
+}
+
+TEST_F(StudioFilm, FramesOfAnotherSizeAreCroppedOrPadded) {
+  Recorder recorder;
+  FilmOptions options;
+  options.waits = true;
+  ASSERT_TRUE(recorder.start("film.mp4", {65, 41}, options));
+  for (const sturnus::Size size : {sturnus::Size{65, 41}, {30, 20}, {100, 90}}) {
+    ASSERT_TRUE(recorder.is_due(1.0 / 30));
+    recorder.add(sturnus::Image(size, sturnus::rgb(0x336699)));
+  }
+  const Film film = recorder.finish();
+  ASSERT_TRUE(film.status) << film.status.error();
+  EXPECT_EQ(probe("film.mp4"), "64,40,3\n");
+}
+
+TEST_F(StudioFilm, AWindowThatIsSlowShowsFramesAgainSoThatTimeIsRight) {
+  Recorder recorder;
+  FilmOptions options;
+  options.waits = true;
+  ASSERT_TRUE(recorder.start("film.mp4", {64, 40}, options));
+  for (int i = 0; i < 5; ++i) {
+    if (recorder.is_due(0.2)) recorder.add(sturnus::Image({64, 40}, sturnus::rgb(0x336699)));
+  }
+  const Film film = recorder.finish();
+  EXPECT_NEAR(static_cast<double>(film.frames), 25, 1);
+  EXPECT_EQ(film.missing, film.frames - 5);
+}
+
+TEST_F(StudioFilm, AScriptClicksPressesAndShoots) {
+  open("ucsd");
+  const Script script = script_of(
+      "say \"hello\"\nclick top.play\nwait 3\nshot paused.png\nclick \"tool.add units\"\nclick 15% 50%\n"
+      "key ctrl+z # takes it back\nmaybe click no.such.item\nopen cs184\nwait 5\n");
+  const auto status = play(studio(), script, {"visit.mp4"});
+  ASSERT_TRUE(status) << status.error();
+  EXPECT_FALSE(desk().playback.is_playing());
+  EXPECT_TRUE(std::filesystem::exists("paused.png"));
+  EXPECT_EQ(desk().tools.tool, Tool::add);
+  EXPECT_EQ(scenario().name, "cs184");
+  EXPECT_EQ(probe("visit.mp4").substr(0, 8), "640,400,");
+}
+
+TEST_F(StudioFilm, AnItemThatIsNotThereEndsAScriptWithItsLine) {
+  open("ucsd");
+  const auto status = play(studio(), script_of("wait 2\nclick top.plya\n"), {});
+  EXPECT_SAYS(status.error(),
+              "visit.txt:2: there is no \"top.plya\" in the window; did you mean \"top.play\"?");
+}
+
+TEST(StudioScript, FaultsAreSentencesWithTheirLines) {
+  const auto script =
+      parse_script("wait\n\n# fine\nclik top.play\nkey nokey\nsay \"open\nwait 5\n", "visit.txt");
+  ASSERT_FALSE(script);
+  const std::string text = script.error();
+  EXPECT_SAYS(text, "visit.txt:1: wait is written wait FRAMES");
+  EXPECT_SAYS(text, "visit.txt:4: \"clik\" is no verb of scripts; did you mean \"click\"?");
+  EXPECT_SAYS(text, "visit.txt:5: there is no key \"nokey\"");
+  EXPECT_SAYS(text, "visit.txt:6: a quote is not closed");
+  EXPECT_EQ(script.problems().size(), 4u);
+}
+
+TEST(StudioScript, KeysHaveNamesAndModifiers) {
+  EXPECT_EQ(key_of("space").sym, SDLK_SPACE);
+  EXPECT_EQ(key_of("ctrl+z").sym, SDLK_z);
+  EXPECT_EQ(key_of("ctrl+z").mod, KMOD_LCTRL);
+  EXPECT_EQ(key_of("ctrl+shift+z").mod, KMOD_LCTRL | KMOD_LSHIFT);
+  EXPECT_EQ(key_of("hyper+z").sym, 0);
+}
+
+class StudioProgram : public InFolder {};
+
+TEST_F(StudioProgram, BadInputIsRefusedInSentences) {
+  EXPECT_SAYS(output_of(STURNUS_STUDIO " murmurration 2>&1; echo $?"), "did you mean \"murmuration\"?\n2");
+  EXPECT_SAYS(output_of(STURNUS_STUDIO " --video a.mp4 2>&1; echo $?"), "--script FILE");
+  EXPECT_SAYS(output_of("SDL_VIDEODRIVER=x11 DISPLAY= " STURNUS_STUDIO " ucsd 2>&1; echo $?"),
+              "sturnus render");
+}
+
+#ifdef STURNUS_PROGRAM
+TEST_F(StudioProgram, IsWhatSturnusStudioBecomes) {
+  EXPECT_SAYS(output_of(STURNUS_PROGRAM " studio --size nonsense 2>&1; echo $?"), "--size");
+}
+#endif
+
+}  // namespace
+}  // namespace studio

@@ -1,0 +1,216 @@
+// The world behind the window: what is done is undone to the bit, the past is found again, and the thread
+// that carries it serves in order.
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+#include <sturnus/files.h>
+#include <sturnus/parameters.h>
+
+#include "session/playback.h"
+
+namespace studio {
+namespace {
+
+using sturnus::AddBoids;
+using sturnus::EraseBoids;
+using sturnus::SetParameter;
+
+sturnus::Simulation small_flock(std::int64_t count = 200) {
+  auto scenario = sturnus::load_scenario("ucsd");
+  scenario->flocks[0].count = count;
+  return std::move(*sturnus::open_simulation(*scenario, 1));
+}
+
+constexpr std::size_t plenty = std::size_t{64} << 20;
+
+void run(World& world, int steps) {
+  for (int i = 0; i < steps; ++i) world.step();
+}
+
+void go(World& world, std::uint64_t step) {
+  while (!world.go_to(step)) {
+  }
+}
+
+std::string flock_of(const World& world) {
+  return world.simulation().scenario().flocks[0].name;
+}
+
+TEST(StudioWorld, UndoingTakesTheWorldBackToTheMomentBefore) {
+  World world(small_flock(), plenty);
+  run(world, 10);
+  const std::uint64_t before = world.simulation().hash();
+  ASSERT_TRUE(world.act(AddBoids{flock_of(world), 8, {0, 0}, 5}, "add"));
+  run(world, 10);
+  const std::uint64_t after = world.simulation().hash();
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().step_number(), 10u);
+  EXPECT_EQ(world.simulation().hash(), before);
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(world.simulation().step_number(), 20u);
+  EXPECT_EQ(world.simulation().hash(), after);
+  ASSERT_TRUE(world.undo());
+  run(world, 10);
+  World untouched(small_flock(), plenty);
+  run(untouched, 20);
+  EXPECT_EQ(world.simulation().hash(), untouched.simulation().hash());
+}
+
+TEST(StudioWorld, UndoingAChangedParameterPutsItBackAndGoesOn) {
+  World world(small_flock(), plenty);
+  const std::string path = "flock." + flock_of(world) + ".max_speed";
+  const std::string old = *sturnus::get_parameter(world.simulation().scenario(), path);
+  ASSERT_TRUE(world.act(SetParameter{path, "20"}, "max_speed", 7));
+  ASSERT_TRUE(world.act(SetParameter{path, "25"}, "max_speed", 7));
+  run(world, 3);
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(*sturnus::get_parameter(world.simulation().scenario(), path), old);
+  EXPECT_EQ(world.simulation().step_number(), 3u);
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(*sturnus::get_parameter(world.simulation().scenario(), path), "25");
+  EXPECT_FALSE(world.redo());
+}
+
+TEST(StudioWorld, ScrubbingFindsTheSameBitsWithCommandsDoneAgain) {
+  World world(small_flock(), plenty);
+  std::vector<std::uint64_t> hashes;
+  for (int i = 0; i < 60; ++i) {
+    hashes.push_back(world.simulation().hash());
+    if (i == 30) {
+      ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 30}, "erase"));
+      hashes.back() = world.simulation().hash();
+    }
+    world.step();
+  }
+  for (const std::uint64_t step : {59u, 3u, 30u, 31u, 0u, 47u, 46u}) {
+    go(world, step);
+    EXPECT_EQ(world.simulation().step_number(), step);
+    EXPECT_EQ(world.simulation().hash(), hashes[step]) << step;
+  }
+  EXPECT_EQ(world.last(), 60u);
+  go(world, 500);
+  EXPECT_EQ(world.simulation().step_number(), 60u);
+}
+
+TEST(StudioWorld, ActingInThePastBeginsAnotherFuture) {
+  World world(small_flock(), plenty);
+  run(world, 40);
+  go(world, 20);
+  ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 30}, "erase"));
+  EXPECT_EQ(world.last(), 20u);
+  run(world, 10);
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().step_number(), 20u);
+}
+
+TEST(StudioWorld, TheHistoryKeepsToItsBudgetAndStillReachesTheStart) {
+  World world(small_flock(), 300'000);
+  const std::uint64_t start = world.simulation().hash();
+  run(world, 600);
+  EXPECT_LE(world.history().bytes(), 300'000u);
+  EXPECT_GT(world.history().size(), 5u);
+  go(world, 0);
+  EXPECT_EQ(world.simulation().hash(), start);
+}
+
+TEST(StudioWorld, ItsRecordingReplaysToTheSameHash) {
+  World world(small_flock(), plenty);
+  run(world, 5);
+  ASSERT_TRUE(world.act(AddBoids{flock_of(world), 16, {10, 0}, 8}, "add"));
+  run(world, 5);
+  ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 20}, "erase"));
+  run(world, 5);
+  ASSERT_TRUE(world.undo());
+  ASSERT_TRUE(world.act(sturnus::ScatterBoids{{0, 0}, 50}, "scatter"));
+  run(world, 20);
+  auto replay = sturnus::open_simulation(world.simulation().recording(), 1);
+  ASSERT_TRUE(replay) << replay.error();
+  replay->run(world.simulation().step_number());
+  EXPECT_EQ(replay->hash(), world.simulation().hash());
+}
+
+TEST(StudioWorld, AnotherWorldCanBeUndone) {
+  World world(small_flock(), plenty);
+  run(world, 12);
+  const std::uint64_t before = world.simulation().hash();
+  world.replace(small_flock(50), "open");
+  EXPECT_EQ(world.simulation().view().size(), 50u);
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().hash(), before);
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(world.simulation().view().size(), 50u);
+}
+
+TEST(StudioWorld, TrackingGoesRoundAndOnWhenTheBoidIsGone) {
+  World world(small_flock(5), plenty);
+  Frame frame;
+  world.track(4);
+  world.track_next(1);
+  world.show(frame);
+  ASSERT_TRUE(frame.tracked && frame.explained);
+  EXPECT_EQ(frame.ids[*frame.tracked], 0u);
+  world.track_next(-1);
+  world.show(frame);
+  EXPECT_EQ(frame.explained->id, 4u);
+  ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 1e6}, "erase"));
+  world.show(frame);
+  EXPECT_FALSE(frame.tracked);
+}
+
+TEST(StudioSession, ServesInOrderAndShowsWhatWasOrdered) {
+  Session session(small_flock(), {plenty, true});
+  const auto first = session.frame();
+  session.act(AddBoids{first->scenario->flocks[0].name, 4, {0, 0}, 1}, "add");
+  session.run_to(10, first->generation);
+  session.settle();
+  const auto tenth = session.frame();
+  EXPECT_EQ(tenth->step, 10u);
+  EXPECT_EQ(tenth->boids.size(), 204u);
+  EXPECT_EQ(tenth->reach.undo, "add");
+  session.go_to(3);
+  session.settle();
+  EXPECT_EQ(session.frame()->step, 3u);
+  session.run_to(500, first->generation);  // of a generation that is gone
+  session.settle();
+  EXPECT_EQ(session.frame()->step, 3u);
+  EXPECT_EQ(session.take_samples().size(), 2u);
+}
+
+TEST(StudioSession, WhatCantBeDoneIsToldAndChangesNothing) {
+  Session session(small_flock(), {plenty, true});
+  session.act(SetParameter{"flock.nobody.max_speed", "3"}, "max_speed");
+  session.settle();
+  const auto notes = session.take_notes();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(notes[0].is_problem);
+  EXPECT_NE(notes[0].text.find("nobody"), std::string::npos) << notes[0].text;
+  EXPECT_TRUE(session.frame()->reach.undo.empty());
+}
+
+TEST(StudioPlayback, StepsAreDueByTimeAndShownInBetween) {
+  Session session(small_flock(), {plenty, true});
+  Playback playback;
+  const auto tick = [&](double seconds) {
+    playback.advance(seconds, *session.frame(), session);
+    session.settle();
+    return session.frame();
+  };
+  auto frame = tick(1.0 / 60);
+  EXPECT_EQ(frame->step, 1u);
+  EXPECT_FLOAT_EQ(playback.part(*frame), 0.5f);
+  for (int i = 0; i < 59; ++i) frame = tick(1.0 / 60);
+  EXPECT_EQ(frame->step, 30u);
+  playback.play(false);
+  frame = tick(1);
+  EXPECT_EQ(frame->step, 30u);
+  playback.step_once();
+  EXPECT_EQ(tick(1.0 / 60)->step, 31u);
+  EXPECT_EQ(tick(1.0 / 60)->step, 31u);
+  playback.play(true);
+  playback.set_speed(1000);
+  EXPECT_EQ(playback.speed(), 100);
+  EXPECT_EQ(tick(1.0 / 60)->step, 81u);
+}
+
+}  // namespace
+}  // namespace studio

@@ -1,0 +1,313 @@
+// Every tool and every key, as hands use them: what they do to the world, and that undo takes it back.
+#include "ui.h"
+
+namespace studio::test {
+namespace {
+
+class StudioTools : public Ui {
+ protected:
+  // A place of the window where the world is, and nothing lies above it.
+  static constexpr float x = 560, y = 330;
+
+  Point place() { return desk().camera.place(x, y, centre_of(world())); }
+  std::size_t boids() { return world().boids.size(); }
+
+  // Boids within a radius of the mouse's line.
+  std::size_t near(float radius) {
+    const Ray ray = desk().camera.ray(x, y);
+    std::size_t count = 0;
+    for (const Instance& boid : world().boids)
+      count += distance(ray, {boid.position[0], boid.position[1], boid.position[2]}) <= radius ? 1u : 0u;
+    return count;
+  }
+};
+
+TEST_F(StudioTools, UnitsAreAddedInPowersOfTwoWhereTheClickIs) {
+  open("ucsd");
+  pause();
+  key(SDLK_1);
+  EXPECT_EQ(desk().tools.tool, Tool::add);
+  key(SDLK_UP);
+  EXPECT_EQ(desk().tools.units_per_click(), 16);
+  const auto around = static_cast<float>(world().scenario->flocks[0].size) * 4.01f;
+  const std::size_t before = near(around);
+  click(x, y);
+  EXPECT_EQ(boids(), 216u);
+  EXPECT_GE(near(around), before + 16);
+  key(SDLK_z, KMOD_CTRL);
+  EXPECT_EQ(boids(), 200u);
+  key(SDLK_z, KMOD_CTRL | KMOD_SHIFT);
+  EXPECT_EQ(boids(), 216u);
+}
+
+TEST_F(StudioTools, AnObstacleIsPlacedAndEverybodyLearnsToAvoidIt) {
+  open("ucsd");
+  pause();
+  ASSERT_FALSE(world().scenario->flocks[0].avoid_obstacles);
+  key(SDLK_2);
+  click(x, y);
+  ASSERT_EQ(world().obstacles.size(), 1u);
+  EXPECT_NEAR(world().obstacles[0].at[0], place()[0], 0.5);
+  EXPECT_TRUE(world().scenario->flocks[0].avoid_obstacles);
+  key(SDLK_z, KMOD_CTRL);
+  EXPECT_TRUE(world().obstacles.empty());
+  EXPECT_FALSE(world().scenario->flocks[0].avoid_obstacles);
+}
+
+TEST_F(StudioTools, AnAttractorIsPlacedAndErased) {
+  open("ucsd");
+  pause();
+  key(SDLK_3);
+  click(x, y);
+  ASSERT_EQ(world().targets.size(), 1u);
+  EXPECT_FALSE(world().targets[0].repels);
+  key(SDLK_4);
+  click(x, y);
+  EXPECT_TRUE(world().targets.empty());
+}
+
+TEST_F(StudioTools, TheEraserTakesWhatItIsDraggedOverInOneStroke) {
+  open("ucsd", 600);
+  pause();
+  key(SDLK_4);
+  move(x, y);
+  const float radius = desk().tools.radius;
+  wheel(2, KMOD_CTRL);
+  EXPECT_GT(desk().tools.radius, radius);
+  drag(300, y, 800, y);
+  EXPECT_EQ(near(desk().tools.radius * 0.99f), 0u);
+  EXPECT_LT(boids(), 600u);
+  EXPECT_EQ(world().reach.undo, "eraser");
+  key(SDLK_z, KMOD_CTRL);
+  EXPECT_EQ(boids(), 600u);
+}
+
+TEST_F(StudioTools, TheCursorIsFollowedAndAvoidedWhileItIsOverTheWorld) {
+  open("ucsd");
+  key(SDLK_5);
+  move(x, y);
+  frames(2);
+  EXPECT_TRUE(world().pointer.pressed);
+  EXPECT_EQ(world().pointer.mode, sturnus::PointerMode::attract);
+  EXPECT_NEAR(world().pointer.at[0], place()[0], 0.5);
+  key(SDLK_6);
+  move(x + 5, y);
+  frames(2);
+  EXPECT_EQ(world().pointer.mode, sturnus::PointerMode::repel);
+  move(20, 20);  // over the top bar
+  frames(2);
+  EXPECT_FALSE(world().pointer.pressed);
+  move(x, y);
+  key(SDLK_0);
+  move(x + 1, y);
+  frames(2);
+  EXPECT_FALSE(world().pointer.pressed);
+}
+
+TEST_F(StudioTools, TheHandAttractsWithTheLeftAndRepelsWithTheRightButton) {
+  open("ucsd");
+  for (const auto& [which, mode] : {std::pair{SDL_BUTTON_LEFT, sturnus::PointerMode::attract},
+                                    std::pair{SDL_BUTTON_RIGHT, sturnus::PointerMode::repel}}) {
+    move(x, y);
+    button(true, static_cast<Uint8>(which));
+    move(x + 30, y + 10);
+    frames(2);
+    EXPECT_TRUE(world().pointer.pressed);
+    EXPECT_EQ(world().pointer.mode, mode);
+    button(false, static_cast<Uint8>(which));
+    frames(2);
+    EXPECT_FALSE(world().pointer.pressed);
+  }
+}
+
+TEST_F(StudioTools, FoodIsLaidOutWhereSomebodyEatsIt) {
+  open("sharks-and-fish");
+  pause();
+  const std::size_t before = world().food.size();
+  key(SDLK_7);
+  click(x, y);
+  EXPECT_EQ(world().food.size(), before + 1);
+  key(SDLK_z, KMOD_CTRL);
+  EXPECT_EQ(world().food.size(), before);
+}
+
+TEST_F(StudioTools, WithoutEatersFoodIsASentence) {
+  open("ucsd");
+  pause();
+  key(SDLK_7);
+  click(x, y);
+  ASSERT_FALSE(desk().notes.empty());
+  EXPECT_NE(desk().notes.back().note.text.find("Nobody eats"), std::string::npos);
+  EXPECT_TRUE(world().food.empty());
+}
+
+TEST_F(StudioTools, PredatorsComeOneByOne) {
+  open("cs184-death");
+  pause();
+  std::size_t before = 0, after = 0;
+  for (const Instance& boid : world().boids) before += (boid.flags & is_hunter) != 0 ? 1u : 0u;
+  key(SDLK_8);
+  click(x, y);
+  for (const Instance& boid : world().boids) after += (boid.flags & is_hunter) != 0 ? 1u : 0u;
+  EXPECT_EQ(after, before + 1);
+}
+
+TEST_F(StudioTools, ScatterIsABurstAroundTheCursor) {
+  open("ucsd", 600);
+  pause();
+  move(x, y);
+  key(SDLK_s);
+  EXPECT_EQ(desk().tools.tool, Tool::scatter);
+  EXPECT_EQ(world().reach.undo, "scatter");
+  const Point centre = place();
+  std::size_t checked = 0;
+  for (const Instance& boid : world().boids) {
+    const float ox = boid.position[0] - centre[0], oy = boid.position[1] - centre[1];
+    const float away = std::hypot(ox, oy);
+    if (away > desk().tools.radius * 0.95f || away < 1) continue;
+    const float speed = std::hypot(boid.velocity[0], boid.velocity[1]);
+    EXPECT_NEAR((boid.velocity[0] * ox + boid.velocity[1] * oy) / (speed * away), 1, 1e-3);
+    ++checked;
+  }
+  EXPECT_GT(checked, 0u);
+}
+
+TEST_F(StudioTools, InSpaceTheEraserReachesAlongTheLineOfSight) {
+  open("murmuration", 800);
+  pause();
+  ASSERT_EQ(world().dimensions, 3);
+  auto middle = seen(centre_of(world()));
+  for (float& pixel : middle) pixel = std::floor(pixel);
+  key(SDLK_4);
+  move(middle[0], middle[1]);
+  const float radius = desk().tools.radius;
+  const Ray ray = desk().camera.ray(middle[0], middle[1]);
+  click(middle[0], middle[1]);
+  EXPECT_LT(boids(), 800u);
+  for (const Instance& boid : world().boids)
+    EXPECT_GT(distance(ray, {boid.position[0], boid.position[1], boid.position[2]}), radius * 0.99f);
+}
+
+TEST_F(StudioTools, SpacePlaysAndPausesAndAPointIsOneStep) {
+  open("ucsd");
+  key(SDLK_SPACE);
+  frames(3);
+  const std::uint64_t step = world().step;
+  frames(10);
+  EXPECT_EQ(world().step, step);
+  key(SDLK_PERIOD);
+  frames(3);
+  EXPECT_EQ(world().step, step + 1);
+  key(SDLK_a);
+  frames(10);
+  EXPECT_GT(world().step, step + 3);
+}
+
+TEST_F(StudioTools, TheTopBarPlaysStepsRestartsAndChangesTheTheme) {
+  open("ucsd");
+  frames(20);
+  press("top.play");
+  frames(3);
+  const std::uint64_t step = world().step;
+  press("top.step");
+  EXPECT_EQ(world().step, step + 1);
+  press("top.start");
+  frames(2);
+  EXPECT_EQ(world().step, 0u);
+  const std::uint64_t before = hash();
+  press("top.new_seed");
+  frames(2);
+  EXPECT_NE(hash(), before);
+  key(SDLK_z, KMOD_CTRL);
+  frames(2);
+  EXPECT_EQ(hash(), before);
+  press("top.theme");
+  EXPECT_EQ(desk().view.theme, sturnus::ThemeName::light);
+}
+
+TEST_F(StudioTools, TheViewZoomsPansOrbitsAndFlies) {
+  open("murmuration");
+  pause();
+  move(x, y);
+  const Point eye = desk().camera.eye();
+  wheel(3);
+  const Point nearer = desk().camera.eye();
+  EXPECT_NE(eye, nearer);
+  drag(x, y, x + 90, y + 30, SDL_BUTTON_MIDDLE);
+  EXPECT_NE(desk().camera.forward(), Point{});
+  const Point turned = desk().camera.forward();
+  key(SDLK_f);
+  EXPECT_NE(desk().camera.forward(), turned);
+  EXPECT_TRUE(world().reach.undo.empty()) << "looking changes nothing";
+}
+
+TEST_F(StudioTools, CtrlAndPlusMakeTheTextLarger) {
+  open("ucsd");
+  key(SDLK_EQUALS, KMOD_CTRL);
+  EXPECT_GT(desk().text_scale, 1);
+  key(SDLK_0, KMOD_CTRL);
+  EXPECT_EQ(desk().text_scale, 1);
+}
+
+TEST_F(StudioTools, TrackingFollowsAUnitAndGoesOnToTheNext) {
+  open("ucsd");
+  key(SDLK_t);
+  frames(2);
+  ASSERT_TRUE(world().explained);
+  const std::uint64_t id = world().explained->id;
+  key(SDLK_RIGHT);
+  frames(2);
+  EXPECT_EQ(world().explained->id, (id + 1) % 200);
+  key(SDLK_LEFT);
+  key(SDLK_LEFT);
+  frames(2);
+  EXPECT_EQ(world().explained->id, (id + 199) % 200);
+  key(SDLK_t);
+  frames(2);
+  EXPECT_FALSE(world().explained);
+}
+
+TEST_F(StudioTools, TheLegendChoosesToolsAndFoldsAway) {
+  open("ucsd");
+  press("legend.eraser");
+  EXPECT_EQ(desk().tools.tool, Tool::eraser);
+  press("tool.add units");
+  EXPECT_EQ(desk().tools.tool, Tool::add);
+  press("legend.fold");
+  frames(2);
+  EXPECT_FALSE(desk().items.count("legend.eraser"));
+  key(SDLK_QUESTION);
+  EXPECT_TRUE(desk().open.help);
+}
+
+TEST_F(StudioTools, TheViewMenuColoursDrawsTrailsAndCells) {
+  open("ucsd", 600);
+  frames(40);
+  press("top.view");
+  frames(2);
+  press("view.trails");
+  press("view.cells");
+  press("view.grid");
+  frames(2);
+  EXPECT_TRUE(desk().view.trails && desk().view.grid);
+  EXPECT_FALSE(world().index_boxes.empty());
+  press("view.colour");
+  frames(2);
+  press("view.colour.neighbours");
+  frames(3);
+  std::size_t crowded = 0;
+  for (const Instance& boid : world().boids) crowded += boid.crowd > 0 ? 1u : 0u;
+  EXPECT_GT(crowded, 100u);
+}
+
+TEST_F(StudioTools, APictureOfTheWorldIsSaved) {
+  open("ucsd");
+  pause();
+  key(SDLK_w);
+  frames(2);
+  const std::string name = "ucsd-" + std::to_string(world().step) + ".png";
+  EXPECT_TRUE(std::filesystem::exists(name));
+}
+
+}  // namespace
+}  // namespace studio::test
