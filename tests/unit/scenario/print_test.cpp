@@ -120,7 +120,8 @@ TEST(Events, SayWhatIsWrongWithThem) {
            {"[1, \"add\", \"a\", 2.5, [0]]", "whole number"},
            {"[1, \"erase\", [0, \"a\"], 1]", "list of numbers"},
            {"[1, \"erase\", [0, 0]]", "ends before its radius"},
-           {"[1, \"erase\", [0, 0], 1, 2]", "more parts"},
+           {"[1, \"erase\", [0, 0], 1, 2]", "direction must be a list"},
+           {"[1, \"erase\", [0, 0], 1, [0, 1], 2]", "more parts"},
            {"[1, \"pointer\", \"push\", [0, 0]]", "\"push\""},
            {"[1, \"move\", 1e300, [0, 0], [0, 0]]", "whole number"}}) {
     const auto event = event_from(parse_value(text));

@@ -152,6 +152,7 @@ TEST(Branches, WhatNeverWasIsNotDoneAgain) {
 TEST(Targets, TheirPlacesAreThoseOfTheStep) {
   ScenarioDef scenario = small();
   TargetDef target;
+  target.name = "target";
   target.at = {10, 20};
   target.motion = TargetMotion::line;
   target.velocity = {1, -2};
