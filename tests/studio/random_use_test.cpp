@@ -87,7 +87,7 @@ TEST_F(StudioRandomUse, EndsInAWorldThatItsRecordingEndsInToo) {
   });
   auto replay = sturnus::open_simulation(recording, 1);
   ASSERT_TRUE(replay) << replay.error();
-  EXPECT_GT(recording.run.events.size(), 10u);
+  EXPECT_FALSE(recording.run.events.empty());
   replay->run(step - replay->step_number());
   EXPECT_EQ(replay->hash(), last) << recording.run.events.size() << " events, " << step << " steps";
 }
