@@ -19,9 +19,8 @@ void Desk::set(const std::string& path, const std::string& value, std::uint64_t 
 
 void Desk::toggle_recording() {
   if (recorder.is_recording()) return recorder.stop();
-  const std::string name = std::filesystem::path(scenario().name).filename().string() + "-" +
-                           std::to_string(frame->step) + (film.is_gif ? ".gif" : ".mp4");
-  const sturnus::Status status = recorder.start(free_name(name), pixels, film);
+  const std::string name = new_name(*this, film.is_gif ? ".gif" : ".mp4");
+  const sturnus::Status status = recorder.start(name, pixels, film);
   if (!status) say(status.error(), true);
 }
 

@@ -214,7 +214,7 @@ sturnus::Image Studio::picture(bool with_panels) {
 }
 
 void Studio::save_picture() {
-  const std::string name = desk_.scenario().name + "-" + std::to_string(desk_.frame->step) + ".png";
+  const std::string name = new_name(desk_, ".png");
   const sturnus::Status status = sturnus::save_picture(name, read_pixels(window_.pixels()));
   desk_.say(status ? "The picture is in " + name + "." : status.error(), !status);
 }

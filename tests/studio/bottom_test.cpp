@@ -1,5 +1,6 @@
 // The timeline winds the world back; the plots hold what was measured and forget futures that are gone.
 #include <algorithm>
+#include <filesystem>
 
 #include "desktop.h"
 #include "panels/plots.h"
@@ -80,6 +81,25 @@ TEST(StudioPlots, TheTableHasALineForEachAndAColumnForEachFlock) {
   for (const sturnus::FlockDef& flock : desktop.desk.scenario().flocks)
     EXPECT_NE(head.find(",population." + flock.name + ","), std::string::npos) << head;
   EXPECT_NE(last.find(",60,"), std::string::npos) << last;
+}
+
+TEST(StudioPlots, AreSavedAsATableAndAPictureUnderNamesThatAreFree) {
+  const std::filesystem::path old = std::filesystem::current_path();
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "studio-measures";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  std::filesystem::current_path(folder);
+  Desktop desktop(opened("ucsd"));
+  desktop.run(50);
+  for (const char* name : {"plots.csv", "plots.csv", "plots.png"}) desktop.click(name);
+  std::filesystem::current_path(old);
+  const auto text = sturnus::read_text((folder / "ucsd-50-measures.csv").string());
+  ASSERT_TRUE(text);
+  EXPECT_EQ(*text, plots_csv(desktop.desk.plots, desktop.desk.scenario()));
+  EXPECT_TRUE(std::filesystem::exists(folder / "ucsd-50-measures-2.csv"));
+  const auto picture = sturnus::read_text((folder / "ucsd-50-measures.png").string());
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->substr(1, 3), "PNG");
 }
 
 TEST(StudioBottom, FoldsToOneLine) {

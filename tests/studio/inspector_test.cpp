@@ -85,6 +85,39 @@ TEST(StudioInspector, APresetIsOneUndo) {
   EXPECT_EQ(values_of(desktop.desk.scenario()), scenario);
 }
 
+// A flock with two rows of alignment and a ring of cohesion.
+sturnus::Simulation with_several_rows() {
+  sturnus::ScenarioDef scenario = *sturnus::load_scenario("ucsd");
+  sturnus::FlockDef& flock = scenario.flocks[0];
+  flock.alignment.push_back(flock.alignment[0]);
+  flock.alignment[1].weight *= 3;
+  flock.cohesion[0].inner = flock.cohesion[0].radius / 4;
+  return std::move(*sturnus::open_simulation(scenario, 1));
+}
+
+TEST(StudioInspector, PresetsAndLinkedRadiiReachEveryRowAndRing) {
+  Desktop desktop(with_several_rows());
+  const std::string base = "flock." + desktop.desk.scenario().flocks[0].name + ".";
+  const auto weight = [&](std::size_t row) {
+    return desktop.desk.scenario().flocks[0].alignment[row].weight;
+  };
+  const double first = weight(0), second = weight(1);
+  desktop.click("inspector." + base + "preset.school");
+  EXPECT_DOUBLE_EQ(weight(0), 2.5 * first);
+  EXPECT_DOUBLE_EQ(weight(1), 2.5 * second);
+  const sturnus::FlockDef before = desktop.desk.scenario().flocks[0];
+  desktop.click("inspector." + base + "link");
+  desktop.drag("inspector." + base + "separation.radius", 0.3f, 0.6f);
+  const sturnus::FlockDef& after = desktop.desk.scenario().flocks[0];
+  const double factor = after.separation[0].radius / before.separation[0].radius;
+  EXPECT_GT(std::abs(factor - 1), 0.1);
+  const auto is_scaled = [factor](double is, double was) { EXPECT_NEAR(is, was * factor, 1e-5 * is); };
+  is_scaled(after.alignment[0].radius, before.alignment[0].radius);
+  is_scaled(after.alignment[1].radius, before.alignment[1].radius);
+  is_scaled(after.cohesion[0].inner, before.cohesion[0].inner);
+  is_scaled(after.cohesion[0].radius, before.cohesion[0].radius);
+}
+
 TEST(StudioInspector, AnAbsentTermIsAddedAndUndone) {
   Desktop desktop(opened("ucsd"));
   const std::string base = "flock." + desktop.desk.scenario().flocks[0].name + ".";

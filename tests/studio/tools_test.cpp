@@ -300,13 +300,27 @@ TEST_F(StudioTools, TheViewMenuColoursDrawsTrailsAndCells) {
   EXPECT_GT(crowded, 100u);
 }
 
+TEST_F(StudioTools, EscapeClosesTheViewMenu) {
+  open("ucsd");
+  press("top.view");
+  frames(2);
+  ASSERT_TRUE(desk().items.contains("view.trails"));
+  key(SDLK_ESCAPE);
+  frames(3);
+  EXPECT_FALSE(desk().items.contains("view.trails"));
+}
+
 TEST_F(StudioTools, APictureOfTheWorldIsSaved) {
   open("ucsd");
   pause();
   key(SDLK_w);
   frames(2);
-  const std::string name = "ucsd-" + std::to_string(world().step) + ".png";
-  EXPECT_TRUE(std::filesystem::exists(name));
+  const std::string name = "ucsd-" + std::to_string(world().step);
+  EXPECT_TRUE(std::filesystem::exists(name + ".png"));
+  EXPECT_FALSE(std::filesystem::exists(name + "-2.png"));
+  key(SDLK_w);
+  frames(2);
+  EXPECT_TRUE(std::filesystem::exists(name + "-2.png"));
 }
 
 }  // namespace

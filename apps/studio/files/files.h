@@ -50,7 +50,8 @@ class Files {
   double next_look_ = 0;  ///< seconds since the start
 };
 
-/// A name that no file has: the name itself, or with -2, -3 ... before its ending.
-std::string free_name(const std::string& name);
+/// A name in the current folder that no file has: the scenario's name, the step, -2, -3 ... if need be, and
+/// the ending.
+std::string new_name(const Desk& desk, const std::string& ending);
 
 }  // namespace studio

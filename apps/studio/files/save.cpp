@@ -11,15 +11,22 @@ namespace {
 using sturnus::Simulation;
 using sturnus::Status;
 
-std::string default_name(const Desk& desk, const std::string& ending) {
-  const std::string name = std::filesystem::path(desk.scenario().name).filename().string();
-  return (name.empty() ? "world" : name) + "-" + std::to_string(desk.frame->step) + ending;
+// A name that no file has: the name itself, or with -2, -3 ... before its ending.
+std::string free_name(const std::string& name) {
+  const std::filesystem::path path(name);
+  std::filesystem::path chosen = path;
+  std::error_code error;
+  for (int i = 2; std::filesystem::exists(chosen, error); ++i) {
+    chosen = path;
+    chosen.replace_filename(path.stem().string() + "-" + std::to_string(i) + path.extension().string());
+  }
+  return chosen.string();
 }
 
 // The typed name with the right ending, or one of the world's.
 std::string name_of(const Desk& desk, const std::string& typed, const std::string& tail,
                     const std::string& ending) {
-  if (typed.empty()) return free_name(default_name(desk, tail + ending));
+  if (typed.empty()) return new_name(desk, tail + ending);
   return free_name(typed.ends_with(ending) ? typed : typed + ending);
 }
 
@@ -33,15 +40,9 @@ std::int64_t steps_done(const Simulation& simulation) {
 
 }  // namespace
 
-std::string free_name(const std::string& name) {
-  const std::filesystem::path path(name);
-  std::filesystem::path chosen = path;
-  std::error_code error;
-  for (int i = 2; std::filesystem::exists(chosen, error); ++i) {
-    chosen = path;
-    chosen.replace_filename(path.stem().string() + "-" + std::to_string(i) + path.extension().string());
-  }
-  return chosen.string();
+std::string new_name(const Desk& desk, const std::string& ending) {
+  const std::string name = std::filesystem::path(desk.scenario().name).filename().string();
+  return free_name((name.empty() ? "world" : name) + "-" + std::to_string(desk.frame->step) + ending);
 }
 
 void Files::save_scenario(Desk& desk, const std::string& name) const {

@@ -174,7 +174,9 @@ void reset_dot(Desk& desk, const std::string& path, const std::string& now) {
   const bool pressed = ImGui::InvisibleButton("reset", {side * 0.5f, side});
   ImGui::PopID();
   mark(desk, "inspector." + path + ".reset");
-  tip("Back to " + (found->second.empty() ? "the default" : found->second) + ", as the scenario has it");
+  tip(found->second.empty()
+          ? "Changed; the scenario gives no value to go back to. Undo takes the change back."
+          : "Back to " + found->second + ", as the scenario has it");
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + side * 0.25f, at.y + side * 0.5f}, side * 0.13f,
                                               packed(palette(desk.view.theme).accent), 16);
   if (pressed && !found->second.empty()) desk.set(path, found->second, desk.next_gesture++);
@@ -187,16 +189,11 @@ void set_value(Desk& desk, const std::string& path, double before, double value)
   if (!path.starts_with("flock.") || term == std::string::npos || path.substr(end) != ".radius") return;
   const std::string flock = path.substr(6, term - 6);
   if (!desk.inspector.linked.contains(flock) || !(before > 0) || !(value > 0)) return;
-  for (const auto& [other, text] : values_of(desk.scenario())) {
-    const std::string_view rest = std::string_view(other).substr(std::min(other.size(), term));
-    const bool is_radius =
-        other != path && other.starts_with("flock." + flock + ".") && other.ends_with(".radius") &&
-        (rest.starts_with(".separation") || rest.starts_with(".alignment") || rest.starts_with(".cohesion"));
-    const sturnus::Value held = sturnus::parse_value(text);
-    const auto* number = std::get_if<double>(&held.held);
-    if (is_radius && number != nullptr && std::isfinite(*number))
-      desk.set(other, sturnus::number_text(*number * value / before), gesture);
-  }
+  const auto values = values_of(desk.scenario());
+  for (const char* kind : {"separation", "alignment", "cohesion"})
+    for (const std::string& other : paths_of_rows(values, flock, kind, "radius"))
+      if (const auto text = scaled(values.at(other), value / before); text && other != path)
+        desk.set(other, *text, gesture);
 }
 
 void show_field(Desk& desk, const FieldPlace& where, std::string_view key, const sturnus::FieldRef& place,

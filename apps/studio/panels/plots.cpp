@@ -171,7 +171,7 @@ void show_plot(Desk& desk, const Plot& plot, ImVec2 size) {
 }
 
 void save_csv(Desk& desk) {
-  const std::string name = desk.scenario().name + "-measures.csv";
+  const std::string name = new_name(desk, "-measures.csv");
   const sturnus::Status status = sturnus::write_text(name, plots_csv(desk.plots, desk.scenario()));
   desk.say(status ? "The measures are in " + name + "." : status.error(), !status);
 }
@@ -179,7 +179,7 @@ void save_csv(Desk& desk) {
 void save_plot(Desk& desk) {
   std::vector<sturnus::Measures> rows;
   for (const PlotLine& line : desk.plots.lines) rows.push_back(line.sample.measures);
-  const std::string name = desk.scenario().name + "-measures.png";
+  const std::string name = new_name(desk, "-measures.png");
   const sturnus::Image image = sturnus::plot_measures(rows, desk.scenario(), desk.view.theme);
   const sturnus::Status status = sturnus::save_picture(name, image);
   desk.say(status ? "The plots are in " + name + "." : status.error(), !status);
@@ -197,7 +197,7 @@ void show_plot_chips(Desk& desk) {
         if (!on) desk.plots.shown.erase(plot.name);
       }
     }
-    ImGui::EndPopup();
+    end_popup();
   }
   ImGui::SameLine(0, 4);
   if (button(desk, "plots.csv", "CSV", "Save all measures as a table in the current folder")) save_csv(desk);

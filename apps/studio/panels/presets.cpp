@@ -1,6 +1,4 @@
 // Named sets of the three main terms.
-#include <cmath>
-
 #include "panels/inspector.h"
 #include "panels/values.h"
 #include "panels/widgets.h"
@@ -24,24 +22,21 @@ constexpr Preset presets[] = {
     {"swarm", "Together but in every direction, as midges are", 1, 0.05, 2.5, 1, 1.4},
 };
 
-void scale(Desk& desk, const std::string& path, double factor, std::uint64_t gesture) {
-  const auto found = desk.inspector.baseline.find(path);
-  if (found == desk.inspector.baseline.end()) return;
-  const sturnus::Value value = sturnus::parse_value(found->second);
-  const auto* number = std::get_if<double>(&value.held);
-  if (number == nullptr || !std::isfinite(*number)) return;
-  desk.set(path, sturnus::number_text(*number * factor), gesture);
+void scale(Desk& desk, const std::string& flock, const char* kind, const char* key, double factor,
+           std::uint64_t gesture) {
+  const auto& baseline = desk.inspector.baseline;
+  for (const std::string& path : paths_of_rows(baseline, flock, kind, key))
+    if (const auto text = scaled(baseline.at(path), factor)) desk.set(path, *text, gesture);
 }
 
 void apply(Desk& desk, const std::string& flock, const Preset& preset) {
   const std::uint64_t gesture = desk.next_gesture++;
-  const std::string base = "flock." + flock + ".";
-  scale(desk, base + "separation.weight", preset.separation, gesture);
-  scale(desk, base + "alignment.weight", preset.alignment, gesture);
-  scale(desk, base + "cohesion.weight", preset.cohesion, gesture);
-  scale(desk, base + "separation.radius", preset.near, gesture);
-  scale(desk, base + "alignment.radius", preset.far, gesture);
-  scale(desk, base + "cohesion.radius", preset.far, gesture);
+  scale(desk, flock, "separation", "weight", preset.separation, gesture);
+  scale(desk, flock, "alignment", "weight", preset.alignment, gesture);
+  scale(desk, flock, "cohesion", "weight", preset.cohesion, gesture);
+  scale(desk, flock, "separation", "radius", preset.near, gesture);
+  scale(desk, flock, "alignment", "radius", preset.far, gesture);
+  scale(desk, flock, "cohesion", "radius", preset.far, gesture);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ void show_recording(Desk& desk) {
   if (is_pressed) desk.toggle_recording();
   if (is_on || !ImGui::BeginPopupContextItem("film")) return;
   show_choices(desk.film);
-  ImGui::EndPopup();
+  end_popup();
 }
 
 }  // namespace studio

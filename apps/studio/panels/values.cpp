@@ -120,6 +120,36 @@ std::string path_of_item(const std::string& prefix, std::string_view key, const 
   return path;
 }
 
+std::optional<std::string> scaled(const std::string& text, double factor) {
+  sturnus::Value value = sturnus::parse_value(text);
+  const auto scale = [factor](sturnus::Value& one) {
+    auto* number = std::get_if<double>(&one.held);
+    if (number == nullptr || !std::isfinite(*number)) return false;
+    *number *= factor;
+    return true;
+  };
+  if (auto* list = std::get_if<sturnus::Value::List>(&value.held)) {
+    if (!std::all_of(list->begin(), list->end(), scale)) return {};
+    return to_text(value);
+  }
+  if (!scale(value)) return {};
+  return to_text(value);
+}
+
+std::vector<std::string> paths_of_rows(const std::map<std::string, std::string>& values,
+                                       const std::string& flock, const std::string& kind,
+                                       const std::string& key) {
+  const std::string begin = "flock." + flock + "." + kind + ".";
+  std::vector<std::string> paths;
+  for (const auto& [path, text] : values) {
+    if (!path.starts_with(begin) || !path.ends_with(key)) continue;
+    const std::string row = path.substr(begin.size(), path.size() - begin.size() - key.size());
+    const bool is_number = row.size() > 1 && row.find_first_not_of("0123456789") == row.size() - 1;
+    if (row.empty() || (is_number && row.back() == '.')) paths.push_back(path);
+  }
+  return paths;
+}
+
 Span span_of(std::string_view key, const sturnus::About& about, double usual, double now, double side) {
   const bool is_known = about.low > -widest_known && about.high < widest_known && about.low < about.high;
   if (is_known) return {about.low, about.high, false};

@@ -4,7 +4,9 @@
 #include <sturnus/parameters.h>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace studio {
 
@@ -17,6 +19,14 @@ std::map<std::string, std::string> values_of(const sturnus::ScenarioDef& scenari
 /// How a list's item is called in a path that begins with `prefix` and `key`.
 std::string path_of_item(const std::string& prefix, std::string_view key, const sturnus::Items& items,
                          std::size_t index);
+
+/// A number or a list of numbers (a ring's radii), each times the factor; nothing for any other text.
+std::optional<std::string> scaled(const std::string& text, double factor);
+/// The paths of a flock's value: "flock.a.cohesion.radius", or one for each of several rows of the kind,
+/// "flock.a.cohesion.0.radius".
+std::vector<std::string> paths_of_rows(const std::map<std::string, std::string>& values,
+                                       const std::string& flock, const std::string& kind,
+                                       const std::string& key);
 
 /// What a slider spans.
 struct Span {

@@ -50,7 +50,7 @@ void show_view_menu(Desk& desk) {
   check(desk, "grid", desk.view.grid, "Lines at even distances");
   check(desk, "cells", desk.view.index, "The cells or leaves in which neighbours are looked for");
   desk.wishes = {desk.view.index, desk.view.colour_by == ColourBy::neighbours};
-  ImGui::EndPopup();
+  end_popup();
 }
 
 }  // namespace studio

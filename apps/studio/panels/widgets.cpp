@@ -32,6 +32,11 @@ void end_panel() {
   ImGui::End();
 }
 
+void end_popup() {
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
 bool toggle(Desk& desk, const std::string& name, const char* text, bool& on, const std::string& explanation) {
   if (on) {
     const ImVec4 accent = to_imgui(sturnus::with_alpha(palette(desk.view.theme).accent, 0.45f));

@@ -14,6 +14,8 @@ void tip(const std::string& text);
 /// A plain window at a fixed place.
 bool begin_panel(const char* name, const Box& box);
 void end_panel();
+/// Ends a popup, which Escape closes.
+void end_popup();
 /// A button of the accent's colour where it is on.
 bool toggle(Desk& desk, const std::string& name, const char* text, bool& on, const std::string& explanation);
 /// A button that is marked and explained.
