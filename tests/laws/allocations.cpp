@@ -82,6 +82,10 @@ const std::vector<Case> cases = {
     {"BirthsAndDeaths",
      "sharks-and-fish",
      {{"flock.fish.feed.population_cap", "305"}, {"food.plankton.random.every", "5"}}},
+    {"HuntersOfManyKinds", "cs184-feeding-frenzy", {}},
+    {"HawksInSpace", "hawk-and-starlings", {}},
+    {"Living2d", "bench-living-2d", {}},
+    {"Living3d", "bench-living-3d", {}},
 };
 
 std::size_t allocations_of_a_step(const Case& one, int threads) {
