@@ -121,18 +121,16 @@ std::string path_of_item(const std::string& prefix, std::string_view key, const 
 }
 
 std::optional<std::string> scaled(const std::string& text, double factor) {
-  sturnus::Value value = sturnus::parse_value(text);
-  const auto scale = [factor](sturnus::Value& one) {
+  Value value = sturnus::parse_value(text);
+  const auto scale = [factor](Value& one) {
     auto* number = std::get_if<double>(&one.held);
     if (number == nullptr || !std::isfinite(*number)) return false;
     *number *= factor;
     return true;
   };
-  if (auto* list = std::get_if<sturnus::Value::List>(&value.held)) {
-    if (!std::all_of(list->begin(), list->end(), scale)) return {};
-    return to_text(value);
-  }
-  if (!scale(value)) return {};
+  auto* list = std::get_if<Value::List>(&value.held);
+  const bool is_scaled = list != nullptr ? std::all_of(list->begin(), list->end(), scale) : scale(value);
+  if (!is_scaled) return {};
   return to_text(value);
 }
 
@@ -140,13 +138,10 @@ std::vector<std::string> paths_of_rows(const std::map<std::string, std::string>&
                                        const std::string& flock, const std::string& kind,
                                        const std::string& key) {
   const std::string begin = "flock." + flock + "." + kind + ".";
+  if (values.contains(begin + key)) return {begin + key};
   std::vector<std::string> paths;
-  for (const auto& [path, text] : values) {
-    if (!path.starts_with(begin) || !path.ends_with(key)) continue;
-    const std::string row = path.substr(begin.size(), path.size() - begin.size() - key.size());
-    const bool is_number = row.size() > 1 && row.find_first_not_of("0123456789") == row.size() - 1;
-    if (row.empty() || (is_number && row.back() == '.')) paths.push_back(path);
-  }
+  for (int i = 0; values.contains(begin + std::to_string(i) + "." + key); ++i)
+    paths.push_back(begin + std::to_string(i) + "." + key);
   return paths;
 }
 
