@@ -219,7 +219,7 @@ def living_section(figures):
     return f"""## A living world
 
 The scenarios `bench-living-2d` and `bench-living-3d`: 100 000 boids of the base case that flee 20 hunters within 10, look 30 ahead for 200
-solid obstacles (spheres with radii from 5 to 15, in 3D from 2 to 6) and smell 500 pieces of food within 20; nobody is born. Beside them
+obstacles (spheres with radii from 5 to 15, in 3D from 2 to 6) and smell 500 pieces of food within 20; nobody is born. Beside them
 the base case with as many boids, and the same living world where each boid's colour drifts toward its neighbours' with a little noise.
 Turns of ten steps. `sturnus bench bench-living-2d --threads 1` and `sturnus bench bench-2d --boids 1e5 --threads 1` measure the same.
 

@@ -95,7 +95,7 @@ void show_totals(Desk& desk) {
 void show_top_bar(Desk& desk) {
   if (begin_panel("top", desk.layout.top)) {
     const std::string title = (desk.open.gallery ? "\u25be " : "\u25b8 ") + desk.scenario().name;
-    if (button(desk, "top.gallery", title.c_str(), "All scenarios, your files and presets (g)"))
+    if (button(desk, "top.gallery", title.c_str(), "All scenarios and your files (g)"))
       desk.open.gallery = !desk.open.gallery;
     ImGui::SameLine(0, 20 * desk.text_scale);
     show_playing(desk);
