@@ -1,6 +1,7 @@
-// Pursuit, evasion and offset pursuit: steering by where somebody will be (Reynolds 1999, VUW CGRA 354).
+// Pursuit: when a quarry will be caught, and steering to where it will be then (Reynolds 1999, VUW CGRA 354).
 #include <sturnus/steering.h>
 
+#include "rules/foresight.h"
 #include "rules/rules.h"
 
 namespace sturnus {
@@ -13,10 +14,6 @@ double dot_product(const Vector& a, const Vector& b) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) sum += double{a[axis]} * double{b[axis]};
   return sum;
-}
-
-Vector predicted(const Vector& offset, const Vector& velocity, float time) {
-  return (Vec<3>{offset} + Vec<3>{velocity} * time).at;
 }
 
 }  // namespace
@@ -51,29 +48,6 @@ Vector pursue(const Vector& offset, const Vector& quarry_velocity, float time, c
   return seek(predicted(offset, quarry_velocity, time), velocity, max_speed);
 }
 
-Vector evade(const Vector& offset, const Vector& quarry_velocity, float time, const Vector& velocity,
-             float max_speed) {
-  const Vec<3> place{predicted(offset, quarry_velocity, time)};
-  return seek((place * -1.0f).at, velocity, max_speed);
-}
-
-Vector in_world(const Vector& ahead_left_up, const Vector& leader_velocity) {
-  Vec<3> ahead = unit(Vec<3>{leader_velocity});
-  if (ahead == Vec<3>{}) ahead = {{1, 0, 0}};
-  Vec<3> left = unit(Vec<3>{{-ahead[1], ahead[0], 0}});
-  if (left == Vec<3>{}) left = {{0, 1, 0}};
-  const Vec<3> up{{ahead[1] * left[2] - ahead[2] * left[1], ahead[2] * left[0] - ahead[0] * left[2],
-                   ahead[0] * left[1] - ahead[1] * left[0]}};
-  return (ahead * ahead_left_up[0] + left * ahead_left_up[1] + up * ahead_left_up[2]).at;
-}
-
-Vector pursue_offset(const Vector& offset, const Vector& leader_velocity, const Vector& ahead_left_up,
-                     float time, const Vector& velocity, float max_speed, float slowing_radius) {
-  const Vec<3> leader{predicted(offset, leader_velocity, time)};
-  const Vec<3> place = leader + Vec<3>{in_world(ahead_left_up, leader_velocity)};
-  return arrive(place.at, velocity, max_speed, slowing_radius);
-}
-
 template <int D>
 Vec<D> pursuit(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed) {
   const auto slot = nearest_of(others, model.flocks, model.radius_squared, self);
@@ -86,19 +60,7 @@ Vec<D> pursuit(const PursuitModel& model, const Others<D>& others, const Self<D>
   return narrow_to<D>(pursue_offset(o, quarry, model.offset, time, own, max_speed, model.slowing));
 }
 
-template <int D>
-Vec<D> evasion(const PursuitModel& model, const Others<D>& others, const Self<D>& self, float max_speed) {
-  const auto slot = nearest_of(others, model.flocks, model.radius_squared, self);
-  if (!slot) return {};
-  const Vector o = widened(others.offset_to(self, *slot));
-  const Vector pursuer = widened(others.velocity(*slot));
-  const float time = prediction_time(model.prediction, model.amount, o, pursuer, max_speed);
-  return narrow_to<D>(evade(o, pursuer, time, widened(self.velocity), max_speed));
-}
-
 template Vec<2> pursuit<2>(const PursuitModel&, const Others<2>&, const Self<2>&, float);
 template Vec<3> pursuit<3>(const PursuitModel&, const Others<3>&, const Self<3>&, float);
-template Vec<2> evasion<2>(const PursuitModel&, const Others<2>&, const Self<2>&, float);
-template Vec<3> evasion<3>(const PursuitModel&, const Others<3>&, const Self<3>&, float);
 
 }  // namespace sturnus
