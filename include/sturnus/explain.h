@@ -29,9 +29,9 @@ struct ExplainedTerm {
   float weight = 1;                 ///< as the scenario has it
   std::array<float, 3> weighted{};  ///< weight · felt, length per time squared
   std::array<float, 3> granted{};   ///< what the arbitration lets through, length per time squared
-  /// How many neighbours it counted; nothing for terms that look at none.
+  /// How many neighbours it counted, or prey it chases; nothing for terms that look at none.
   std::optional<std::size_t> neighbours;
-  float inner = 0;             ///< length; terms over neighbours: nobody nearer counts
+  float inner = 0;             ///< length; terms over neighbours, and hunts: nobody nearer counts
   float radius = 0;            ///< length; nor farther; infinity is the whole population
   double field_of_view = 360;  ///< degrees, full angle around the heading
   std::string formula;         ///< from the list of parameters, as `sturnus keys` has it

@@ -9,6 +9,7 @@
 #include "base/root.h"
 #include "base/text.h"
 #include "step/jump.h"
+#include "step/prey.h"
 #include "step/steering.h"
 #include "world/columns.h"
 
@@ -123,6 +124,10 @@ class Explainer {
     told.weighted = widened(felt * term.weight);
     told.granted = widened(granted);
     if (sums_neighbours(term.kind)) add_reach(row, told);
+    if (term.kind == TermKind::hunt) {
+      add_sight(flock_.hunt->sight, told);
+      hunting_ = out_.terms.size();
+    }
     if (const ParameterRow* about = formula_row(rows_, term.kind)) {
       told.formula = about->about.formula;
       told.source = about->about.source;
@@ -136,8 +141,17 @@ class Explainer {
     told.neighbours = sums().at(row, slot_).count;
     told.inner = std::sqrt(filter.inner_squared);
     told.radius = filter.whole_population ? FlockModel::infinity_f : std::sqrt(filter.outer_squared);
-    if (!filter.sees_all)
-      told.field_of_view = 2 * std::acos(std::clamp(double{filter.cos_half_view}, -1.0, 1.0)) * (180 / pi);
+    if (!filter.sees_all) told.field_of_view = degrees_of_view(filter.cos_half_view);
+  }
+
+  void add_sight(const SightModel& sight, ExplainedTerm& told) const {
+    told.neighbours = 0;  // counted as they are found
+    told.radius = std::sqrt(sight.distance_squared);
+    if (!sight.sees_all) told.field_of_view = degrees_of_view(sight.cos_half_view);
+  }
+
+  static double degrees_of_view(float cos_half_view) {
+    return 2 * std::acos(std::clamp(double{cos_half_view}, -1.0, 1.0)) * (180 / pi);
   }
 
   void find_neighbours() {
@@ -148,12 +162,26 @@ class Explainer {
         if (row != nullptr && is_counted<D>(*row, asked_.boids, slot_, asked_.boids, i, asked_.question))
           found.terms.push_back(t);
       }
+      if (hunting_ && is_chased(i)) {
+        found.terms.push_back(*hunting_);
+        ++*out_.terms[*hunting_].neighbours;
+      }
       if (!found.terms.empty()) add_neighbour(i, std::move(found));
     }
     std::sort(out_.neighbours.begin(), out_.neighbours.end(),
               [](const ExplainedNeighbour& a, const ExplainedNeighbour& b) {
                 return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
               });
+  }
+
+  // All prey in view, or the one in focus.
+  bool is_chased(std::size_t i) const {
+    const HuntModel& hunt = *flock_.hunt;
+    if (is_full(model_, state_, slot_) || !is_hunted(hunt, state_, i)) return false;
+    if (hunt.choose == HuntChoice::nearest && state_.id[i] != state_.life.focus[slot_]) return false;
+    const auto velocity = at<D>(state_.velocity, slot_);
+    return is_seen(hunt.sight, velocity, length(velocity),
+                   prey_at<D>(state_, slot_, i, asked_.question.image));
   }
 
   void add_neighbour(std::size_t i, ExplainedNeighbour found) {
@@ -189,7 +217,8 @@ class Explainer {
   const FlockModel& flock_;
   Asked asked_;
   std::vector<ParameterRow> rows_;
-  std::vector<const NeighbourRow*> counting_;  ///< of each term; null where it looks at nobody
+  std::vector<const NeighbourRow*> counting_;  ///< of each term; null where no row of it looks at anybody
+  std::optional<std::size_t> hunting_;         ///< the term that looks at prey
   Explanation out_;
 };
 

@@ -4,27 +4,11 @@
 #include "base/random.h"
 #include "neighbours/query.h"
 #include "rules/rules.h"
+#include "step/prey.h"
 #include "step/step.h"
-#include "world/columns.h"
-#include "world/state.h"
 
 namespace sturnus {
 namespace {
-
-// A prey in view.
-template <int D>
-struct Prey {
-  std::uint32_t slot = 0;
-  float distance_squared = 0;
-  Vec<D> offset;
-};
-
-template <int D>
-bool is_seen(const SightModel& sight, const Vec<D>& velocity, float speed, const Prey<D>& prey) {
-  if (!(prey.distance_squared < sight.distance_squared)) return false;
-  if (sight.sees_all) return true;
-  return dot(velocity, prey.offset) >= sight.cos_half_view * speed * std::sqrt(prey.distance_squared);
-}
 
 // The looks and decisions of one hunter after the other.
 template <int D>
@@ -37,7 +21,7 @@ class Hunting {
     const std::size_t i = scratch_.hunters.slots[number];
     const FlockModel& flock = model_.flocks[state_.flock[i]];
     put(scratch_.hunters.pull, number, Vec<D>{});
-    if (!flock.hunt || is_full(i)) return;
+    if (!flock.hunt || is_full(model_, state_, i)) return;
     begin(i, *flock.hunt);
     if (flock.hunt->choose == HuntChoice::nearest) choose(i, flock);
     for_each_prey(i, *flock.hunt, flock, [&](const Prey<D>& prey, bool is_in_view) {
@@ -52,8 +36,6 @@ class Hunting {
   }
 
  private:
-  bool is_full(std::size_t i) const { return model_.uses_hunger && state_.life.full[i] > 0; }
-
   void begin(std::size_t i, const HuntModel& hunt) {
     velocity_ = at<D>(state_.velocity, i);
     speed_ = length(velocity_);
@@ -68,19 +50,16 @@ class Hunting {
   void for_each_prey(std::size_t i, const HuntModel& hunt, const FlockModel& flock, F&& f) {
     float reach_squared = hunt.sight.distance_squared;
     if (flock.jump) reach_squared = std::max(reach_squared, flock.jump->trigger.distance_squared);
-    const auto place = at<D>(state_.position, i);
     const auto ask = [&](std::size_t other) {
-      if ((hunt.prey >> state_.flock[other] & 1) == 0 || state_.quarantined[other] != 0) return;
-      Prey<D> prey{static_cast<std::uint32_t>(other), 0,
-                   offset(place, at<D>(state_.position, other), image_)};
-      prey.distance_squared = dot(prey.offset, prey.offset);
+      if (!is_hunted(hunt, state_, other)) return;
+      const Prey<D> prey = prey_at<D>(state_, i, other, image_);
       if (prey.distance_squared < reach_squared) f(prey, is_seen(hunt.sight, velocity_, speed_, prey));
     };
     if (!scratch_.is_indexed || !(reach_squared <= model_.reach * model_.reach)) {
       for (std::size_t other = 0; other < state_.size(); ++other) ask(other);
       return;
     }
-    const std::array<float, 3> at_place = widened(place);
+    const std::array<float, 3> at_place = widened(at<D>(state_.position, i));
     scratch_.index->spans(at_place, at_place, model_.reach, spans_);
     for (const Span span : spans_) {
       for (std::uint32_t other = span.begin; other < span.end; ++other) ask(other);

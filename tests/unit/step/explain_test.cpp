@@ -222,6 +222,61 @@ TEST(Explain, NeighboursAreSeenAcrossTheSeamAndBlindAnglesHold) {
   EXPECT_NEAR(told.terms.front().field_of_view, 180, 1e-3);
 }
 
+// A hunter that goes to the right, and prey: one ahead to the left, one ahead, one behind, one too far.
+ScenarioDef a_hunt() {
+  ScenarioDef scenario = bare();
+  scenario.flocks.push_back(scenario.flocks.front());
+  scenario.flocks.front().name = "hunters";
+  scenario.flocks.back().name = "prey";
+  Hunt& hunt = scenario.flocks.front().hunt.emplace();
+  hunt.prey = {"prey"};
+  hunt.sight = 15;
+  hunt.field_of_view = 180;
+  return scenario;
+}
+
+State hunter_and_prey() {
+  State state = state_of(2, {{{0, 0}, {1, 0}}, {{6, 8}}, {{5, 0}}, {{-4, 0}}, {{16, 0}}});
+  std::fill(state.flock.begin() + 1, state.flock.end(), std::uint8_t{1});
+  return state;
+}
+
+TEST(Explain, AHunterIsToldItsPreyInView) {
+  const Explanation told = take(world_from(a_hunt(), hunter_and_prey()).explain(0));
+  const ExplainedTerm& term = told.terms.front();
+  EXPECT_EQ(term.kind, "hunt");
+  EXPECT_EQ(term.neighbours, 2u);
+  EXPECT_FLOAT_EQ(term.radius, 15);
+  EXPECT_NEAR(term.field_of_view, 180, 1e-3);
+  // The mean of (0.6, 0.8) and (1, 0), less the heading.
+  EXPECT_NEAR(term.felt[0], -0.2, 1e-6);
+  EXPECT_NEAR(term.felt[1], 0.4, 1e-6);
+  ASSERT_EQ(told.neighbours.size(), 2u);
+  EXPECT_EQ(told.neighbours[0].id, 2u);
+  EXPECT_EQ(told.neighbours[1].id, 1u);
+  expect_counts(told, "prey in view");
+}
+
+TEST(Explain, AHunterWithAFocusIsToldThatOneAlone) {
+  ScenarioDef scenario = a_hunt();
+  scenario.flocks.front().hunt->choose = HuntChoice::nearest;
+  const Explanation told = take(world_from(scenario, hunter_and_prey()).explain(0));
+  ASSERT_EQ(told.neighbours.size(), 1u);
+  EXPECT_EQ(told.neighbours[0].id, 2u);
+  EXPECT_EQ(told.terms.front().neighbours, 1u);
+}
+
+TEST(Explain, AFullHunterChasesNobody) {
+  ScenarioDef scenario = a_hunt();
+  scenario.flocks.front().hunger = Hunger{};
+  State state = hunter_and_prey();
+  state.life.full.assign(state.size(), 0);
+  state.life.full[0] = 50;
+  const Explanation told = take(world_from(scenario, state).explain(0));
+  EXPECT_EQ(told.terms.front().neighbours, 0u);
+  EXPECT_TRUE(told.neighbours.empty());
+}
+
 TEST(Explain, TermsHaveNamesFormulasAndSources) {
   const ScenarioDef scenario = everything(2, BoundaryKind::turn);
   const Explanation told = take(start(scenario).explain(0));
