@@ -5,6 +5,8 @@
 
 #include <sturnus/files.h>
 
+#include <iostream>
+
 #include "isas.h"
 #include "support.h"
 
@@ -247,6 +249,16 @@ TEST(VuwChallenge, SteeringAloneKeepsNearlyAllContactAway) {
   RecordProperty("share_inside", std::to_string(share));
   EXPECT_LT(share, 1e-4);
   EXPECT_GT(share_inside(false, 300, false), 1e-2) << "there is nothing to avoid";
+}
+
+TEST(FullVuwChallenge, SteeringAloneKeepsNearlyAllContactAwayForLong) {
+  for (const bool avoids : {true, false}) {
+    const double share = share_inside(false, 10700, avoids);  // three million boid-steps
+    std::cout << "share of boid-steps in contact, avoidance " << (avoids ? "on: " : "off: ") << share << "\n";
+    if (avoids) {
+      EXPECT_LT(share, 1e-4);
+    }
+  }
 }
 
 }  // namespace
