@@ -18,8 +18,9 @@ cd "$work/sturnus"
 # Only the machine's speed is ours to choose: the words are the user's, and so is everything that cmake finds.
 unset CMAKE_GENERATOR CMAKE_BUILD_TYPE
 export MAKEFLAGS="-j$(nproc)"
+# What another build has compiled already is taken from there: it knows the compiler by this name.
 if command -v ccache >/dev/null; then
-  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$PWD"
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$PWD" CXX=g++
 fi
 {
   mkdir build
