@@ -11,6 +11,14 @@
 namespace sturnus {
 namespace {
 
+// A term as it stands under a header of its own.
+struct Part {
+  int order;
+  std::string key;
+  std::string lines;
+  bool is_listed;  ///< one of a list
+};
+
 // One `key = value` and where it belongs among its neighbours.
 struct Entry {
   int order;
@@ -53,9 +61,11 @@ class TomlPrinter : public FieldVisitor {
       TomlPrinter inner;
       items.visit(i, inner);
       if (items.name || items.has_header) {
-        blocks_.push_back(say("\n[[", key, "]]\n", inner.lines()));
+        blocks_.push_back(say("\n[[", key, "]]\n", inner.under(key)));
       } else {
         texts.push_back(inner.braces());
+        if (items.order)
+          parts_.push_back({*items.order(i), std::string(key), inner.lines(), !items.at_most_one});
       }
     }
     if (items.name || items.has_header) return;
@@ -68,6 +78,21 @@ class TomlPrinter : public FieldVisitor {
     sort();
     std::string out;
     for (const Entry& entry : entries_) out += say(entry.key, " = ", entry.text, "\n");
+    return out;
+  }
+
+  /// The lines below the header of that key. Terms whose order `key = [...]` can't tell, since another one
+  /// stands between two of a kind, all get headers of their own.
+  std::string under(std::string_view key) {
+    std::stable_sort(parts_.begin(), parts_.end(),
+                     [](const Part& a, const Part& b) { return a.order < b.order; });
+    if (!is_mixed()) return lines();
+    std::erase_if(entries_, [&](const Entry& entry) { return has_part(entry.key); });
+    std::string out = lines();
+    for (const Part& part : parts_) {
+      const std::string name = say(key, ".", part.key);
+      out += say("\n", part.is_listed ? "[[" + name + "]]" : "[" + name + "]", "\n", part.lines);
+    }
     return out;
   }
 
@@ -92,12 +117,27 @@ class TomlPrinter : public FieldVisitor {
     return out.empty() ? "{}" : out + " }";
   }
 
+  bool has_part(std::string_view key) const {
+    return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return part.key == key; });
+  }
+
+  // Whether parts of one key don't stand together.
+  bool is_mixed() const {
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      const auto is_kin = [&](const Part& part) { return part.key == parts_[i].key; };
+      const auto here = parts_.begin() + static_cast<std::ptrdiff_t>(i);
+      if (!is_kin(*std::prev(here)) && std::any_of(parts_.begin(), here, is_kin)) return true;
+    }
+    return false;
+  }
+
   void sort() {
     std::stable_sort(entries_.begin(), entries_.end(),
                      [](const Entry& a, const Entry& b) { return a.order < b.order; });
   }
 
   std::vector<Entry> entries_;
+  std::vector<Part> parts_;
   std::vector<std::string> blocks_;
 };
 

@@ -68,6 +68,47 @@ alignment = []
   EXPECT_EQ(again.flocks[1].flee.front().from, (std::vector<std::string>{"fish"}));
 }
 
+// With "first" only the first term that asks for anything counts, so it matters who stands where.
+TEST(ToToml, KeepsTheOrderOfTermsWhereAnotherStandsBetweenTwoOfAKind) {
+  const ScenarioDef scenario = take(parse_scenario(R"(
+[[flock]]
+name = "fish"
+count = 40
+arbitration = "first"
+alignment = []
+[[flock.separation]]
+radius = 3
+[flock.noise]
+acceleration = 0.01
+[[flock.cohesion]]
+radius = 100
+[[flock.separation]]
+radius = 200
+edge = "closed"
+[flock.cruise]
+speed = 2
+[[flock]]
+name = "crabs"
+like = "fish"
+[[food]]
+)",
+                                                   "fish.toml"));
+  expect_fixed_point(scenario);
+  const ScenarioDef again = take(parse_scenario(to_toml(scenario), "fish.toml"));
+  for (const FlockDef& flock : again.flocks) {
+    ASSERT_EQ(flock.separation.size(), 2u);
+    const std::vector<int> orders = {flock.separation[0].order, flock.noise->order, flock.cohesion[0].order,
+                                     flock.separation[1].order, flock.cruise->order};
+    EXPECT_TRUE(std::is_sorted(orders.begin(), orders.end())) << flock.name;
+    EXPECT_TRUE(flock.alignment.empty());
+    EXPECT_EQ(flock.separation[1].edge, Edge::closed);
+  }
+  Simulation one = start(scenario), other = start(again);
+  one.run(20);
+  other.run(20);
+  EXPECT_EQ(one.hash(), other.hash());
+}
+
 TEST(ToToml, OfAFlockThatFeelsNothingDoesNotBringBackTheDefaults) {
   const ScenarioDef read = take(parse_scenario(to_toml(bare()), "bare.toml"));
   EXPECT_TRUE(read.flocks.front().separation.empty());
