@@ -56,7 +56,8 @@ void tell_report(const sturnus::Simulation& flock) {
          " could not be born because the flock was at its population_cap");
   }
   if (report.commands_in_vain > 0) {
-    tell("warning: " + counted(report.commands_in_vain, "event") + " named a boid that was not there");
+    tell("warning: " + counted(report.commands_in_vain, "event") +
+         " named a boid that was not there, or found no free place for one");
   }
 }
 

@@ -61,7 +61,7 @@ enum class Later { again, never };
 /// What a run met besides flocking.
 struct StepReport {
   std::size_t quarantined = 0;       ///< boids out of play because of a bad number
-  std::size_t commands_in_vain = 0;  ///< events that named a boid that is not there
+  std::size_t commands_in_vain = 0;  ///< events that named a boid that is not there, or found no free place
   std::size_t births_refused = 0;    ///< boids not born because their flock was at its population_cap
   std::size_t eaten = 0;             ///< boids that hunters caught
   std::size_t starved = 0;           ///< hunters that died of hunger

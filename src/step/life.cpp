@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "neighbours/offset.h"
+#include "rules/rules.h"
 #include "step/moved.h"
 #include "world/columns.h"
+#include "world/solid_body.h"
 #include "world/spawn.h"
 #include "world/state.h"
 
@@ -222,7 +224,6 @@ template <int D>
 void eat_food(State& state, Scratch& scratch, const Bodies<D>& bodies, const Workers& workers) {
   LifeScratch& life = scratch.life;
   life.meals.clear();
-  life.meal_flocks.clear();
   life.uneaten.assign(state.food.size(), 1);
   if (state.food.size() == 0) return;
   if (bodies.asks_pieces()) {
@@ -239,8 +240,8 @@ void eat_food(State& state, Scratch& scratch, const Bodies<D>& bodies, const Wor
     const auto piece = bodies.piece_of(i, scratch.pieces, life.uneaten);
     if (!piece) continue;
     life.uneaten[*piece] = 0;
-    life.meals.push_back(widened(at<D>(state.food.position, *piece)));
-    life.meal_flocks.push_back(state.flock[i]);
+    life.meals.push_back({widened(at<D>(state.food.position, *piece)), widened(at<D>(state.position, i)),
+                          std::size_t{state.flock[i]}});
   }
 }
 
@@ -261,6 +262,22 @@ void count_members(const Model& model, const State& state, std::vector<std::size
   for (const std::uint8_t flock : state.flock) ++members[flock];
 }
 
+// A newborn comes from where its eater stands: at an edge and at solid obstacles its way ends as a motion
+// does.
+template <int D>
+void settle_newborn(const Model& model, const ObstacleIndex& obstacles, const Meal& meal, State& state) {
+  const std::size_t slot = state.size() - 1;
+  auto position = at<D>(state.position, slot);
+  auto velocity = at<D>(state.velocity, slot);
+  keep_inside(model, position, velocity);
+  if (model.is_solid && !obstacles.empty()) {
+    const Solids<D> solids(model, obstacles, model.flocks[meal.flock].body_radius);
+    solids.keep_out(narrow_to<D>(meal.eater), position, velocity);
+  }
+  put(state.position, slot, position);
+  put(state.velocity, slot, velocity);
+}
+
 // A newborn has not moved yet.
 void note_newborn(const State& state, Scratch& scratch) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -270,13 +287,14 @@ void note_newborn(const State& state, Scratch& scratch) {
   }
 }
 
+template <int D>
 void give_birth(const Model& model, const ScenarioDef& scenario, State& state, Scratch& scratch,
                 StepReport& report) {
   LifeScratch& life = scratch.life;
   if (life.meals.empty()) return;
   count_members(model, state, life.members);
-  for (std::size_t meal = 0; meal < life.meals.size(); ++meal) {
-    const std::size_t flock = life.meal_flocks[meal];
+  for (const Meal& meal : life.meals) {
+    const std::size_t flock = meal.flock;
     const FlockModel& own = model.flocks[flock];
     const float beside = own.body_radius + model.food[own.feed->kind].body_radius;
     for (std::size_t birth = 0; birth < own.feed->births; ++birth) {
@@ -284,7 +302,8 @@ void give_birth(const Model& model, const ScenarioDef& scenario, State& state, S
         ++report.births_refused;
         continue;
       }
-      spawn_beside(scenario, model, flock, life.meals[meal], beside, state);
+      spawn_beside(scenario, model, flock, meal.place, beside, state);
+      settle_newborn<D>(model, scratch.obstacles, meal, state);
       note_newborn(state, scratch);
       ++life.members[flock];
       ++report.born;
@@ -293,7 +312,8 @@ void give_birth(const Model& model, const ScenarioDef& scenario, State& state, S
 }
 
 // New pieces wherever a multiple of the period was passed, while there is room for them.
-void lay_out_food(const Model& model, const ScenarioDef& scenario, State& state) {
+void lay_out_food(const Model& model, const ScenarioDef& scenario, const ObstacleIndex& obstacles,
+                  State& state) {
   const auto periods = [&](std::uint64_t steps, double every) {
     return std::floor((static_cast<double>(steps) + rounding) * model.tick / every);
   };
@@ -307,7 +327,7 @@ void lay_out_food(const Model& model, const ScenarioDef& scenario, State& state)
     const std::size_t room = food.most > there ? food.most - there : 0;
     const double wanted = due * static_cast<double>(food.count);
     const bool fits = wanted < static_cast<double>(room);
-    spawn_food(scenario, model, kind, fits ? static_cast<std::size_t>(wanted) : room, state);
+    spawn_food(scenario, model, kind, fits ? static_cast<std::size_t>(wanted) : room, obstacles, state);
   }
 }
 
@@ -328,8 +348,8 @@ void live_in(const Model& model, const ScenarioDef& scenario, State& state, Scra
     if (model.has_feeders) eat_food<D>(state, scratch, bodies, workers);
   }
   bury(state, scratch);
-  give_birth(model, scenario, state, scratch, report);
-  lay_out_food(model, scenario, state);
+  give_birth<D>(model, scenario, state, scratch, report);
+  lay_out_food(model, scenario, scratch.obstacles, state);
 }
 
 }  // namespace

@@ -58,7 +58,6 @@ void poison(Scratch& scratch) {
   spoil(scratch.life.eaters);
   spoil(scratch.life.members);
   spoil(scratch.life.meals);
-  spoil(scratch.life.meal_flocks);
   for (Columns* columns :
        {&scratch.heading, &scratch.next_colour, &scratch.previous_position, &scratch.previous_velocity}) {
     spoil(*columns);

@@ -31,14 +31,19 @@ struct Hunters {
   Columns pull;
 };
 
+/// A piece of food that was eaten.
+struct Meal {
+  std::array<float, 3> place, eater;  ///< where it lay, and where its eater stands
+  std::size_t flock = 0;              ///< of the eater
+};
+
 /// What births and deaths are worked out in.
 struct LifeScratch {
   std::vector<std::uint8_t> alive, uneaten;  ///< of boids, of pieces
   std::vector<std::uint8_t> touches;         ///< of those who may eat
   std::vector<std::uint32_t> eaters;         ///< slots of those who eat, by id
   std::vector<std::size_t> members;          ///< of each flock
-  std::vector<std::array<float, 3>> meals;   ///< where a piece was eaten
-  std::vector<std::uint8_t> meal_flocks;     ///< and by whose member
+  std::vector<Meal> meals;                   ///< in order of the eaters' ids
 };
 
 struct Scratch {

@@ -257,8 +257,7 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
       append_boids(scenario, world->model, *some, static_cast<int>(i), world->state);
     }
   }
-  for (std::size_t i = 0; all == nullptr && i < scenario.food.size(); ++i)
-    spawn_food(scenario, world->model, i, static_cast<std::size_t>(scenario.food[i].count), world->state);
+  if (all == nullptr) spawn_food(scenario, world->model, world->state);
   if (!problems.empty()) return problems;
   wrap_positions(world->model, world->state);
   reserve_for_births(world->model, world->state);

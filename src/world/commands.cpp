@@ -77,9 +77,9 @@ struct Applier {
   Applied operator()(const PlaceTarget&) const { return {}; }
 
   Applied operator()(const AddBoids& add) const {
-    spawn_around(scenario, model, add, state);
+    const bool are_all_there = spawn_around(scenario, model, add, state);
     wrap_positions(model, state);
-    return {.has_moved_boids = true};
+    return {.is_in_vain = !are_all_there, .has_moved_boids = true};
   }
 
   Applied operator()(const PlaceObstacle& obstacle) const {
@@ -117,13 +117,16 @@ struct Applier {
     const auto found = std::find(state.id.begin(), state.id.end(), move.id);
     if (found == state.id.end()) return {.is_in_vain = true, .has_moved_boids = true};
     const auto slot = static_cast<std::size_t>(found - state.id.begin());
+    const auto old = place_in(state.position, slot);
     for (std::size_t axis = 0; axis < move.to.size(); ++axis) {
       state.position[axis][slot] = static_cast<float>(move.to[axis]);
       state.velocity[axis][slot] = static_cast<float>(move.velocity[axis]);
     }
     state.quarantined[slot] = 0;
     wrap_positions(model, state);
-    return {.has_moved_boids = true};
+    if (!model.is_solid || bring_out(model, slot, state)) return {.has_moved_boids = true};
+    for (std::size_t axis = 0; axis < move.to.size(); ++axis) state.position[axis][slot] = old[axis];
+    return {.is_in_vain = true, .has_moved_boids = true};
   }
 
   Applied operator()(const MovePointer& pointer) const {

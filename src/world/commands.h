@@ -9,7 +9,7 @@ namespace sturnus {
 
 /// What became of a command.
 struct Applied {
-  bool is_in_vain = false;       ///< it named a boid that is not there
+  bool is_in_vain = false;       ///< it named a boid that is not there, or found no place for one
   bool has_compiled = false;     ///< the model is a new one
   bool has_moved_boids = false;  ///< some came, went or were put elsewhere
 };

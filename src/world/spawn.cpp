@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "world/columns.h"
-#include "world/obstacle_index.h"
+#include "world/solid_body.h"
 #include "world/state.h"
 
 namespace sturnus {
@@ -141,81 +141,105 @@ void reserve(State& state, std::size_t size) {
   for_each_array(state, [size](auto& array) { array.reserve(size); });
 }
 
-// Places among the obstacles of a state for boids of one size.
+// An index of its own, for who has none.
+ObstacleIndex index_of(const Model& model, const State& state, float body) {
+  ObstacleIndex index;
+  index.fit(model, state.obstacles, body);
+  return index;
+}
+
+constexpr int most_tries = 1000;
+
+// Draws until a place is good; false, with the last place, when none was.
+template <int D, class Draw, class IsGood>
+bool find_place(Vec<D>& place, int tries, Draw&& draw, IsGood&& is_good) {
+  while (tries-- > 0) {
+    place = draw();
+    if (is_good(place)) return true;
+  }
+  return false;
+}
+
+// A place as the state keeps it.
 template <int D>
-class FreePlaces {
- public:
-  FreePlaces(const Model& model, std::size_t flock, const State& state)
-      : model_(model), body_(model.flocks[flock].body_radius) {
-    index_.fit(model, state.obstacles, body_);
+Vec<D> wrapped_place(const Model& model, Vec<D> place) {
+  for (int axis = 0; axis < D && model.wraps(); ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    place[axis] = wrapped(place[axis], model.min[i], model.max[i]);
   }
-
-  /// Draws until a place is free; false, with the last place, when none was found.
-  template <class Draw>
-  bool find(Vec<D>& place, Draw&& draw) const {
-    constexpr int most_tries = 1000;
-    for (int tries = 0; tries < most_tries; ++tries) {
-      place = draw();
-      if (is_free(place)) return true;
-    }
-    return false;
-  }
-
- private:
-  bool is_free(Vec<D> place) const {
-    if (index_.empty()) return true;
-    for (int axis = 0; axis < D && model_.wraps(); ++axis) {
-      const auto i = static_cast<std::size_t>(axis);
-      place[axis] = wrapped(place[axis], model_.min[i], model_.max[i]);
-    }
-    bool free = true;
-    const Place<D> from = place_of(place);
-    index_.visit(place, double{body_}, [&](const Obstacle& obstacle) {
-      const Place<D> o = way(model_, from, place_of<D>(obstacle.at));
-      free = free && !(surface(obstacle, o, double{body_}).distance < 0);
-    });
-    return free;
-  }
-
-  const Model& model_;
-  float body_;
-  ObstacleIndex index_;
-};
+  return place;
+}
 
 template <int D>
 std::int64_t spawn_flock_in(const ScenarioDef& scenario, const Model& model, std::size_t flock,
                             State& state) {
   const FlockDef& def = scenario.flocks[flock];
   reserve(state, state.size() + static_cast<std::size_t>(def.count));
-  const FreePlaces<D> places(model, flock, state);
+  const float body = model.flocks[flock].body_radius;
+  const ObstacleIndex obstacles = index_of(model, state, body);
+  const Solids<D> solids(model, obstacles, body);
   std::int64_t inside = 0;
   for (std::int64_t i = 0; i < def.count; ++i) {
     const std::uint64_t id = state.next_id++;
     Draws position_draws(model.seed, state.step, id, Stream::start_position);
     Draws velocity_draws(model.seed, state.step, id, Stream::start_velocity);
     Vec<D> position;
-    if (!places.find(position, [&] { return start_position<D>(def.start, model, position_draws); })) ++inside;
+    const bool is_found = find_place(
+        position, most_tries, [&] { return start_position<D>(def.start, model, position_draws); },
+        [&](const Vec<D>& at) { return solids.is_outside(wrapped_place(model, at)); });
+    if (!is_found) ++inside;
     push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(def.start, velocity_draws), state);
   }
   return inside;
 }
 
+// Where a boid that is added stands. In a solid world that is a free place: the nearest, and if even that
+// can't be had, any in the space. False where there is none at all.
 template <int D>
-void spawn_around_in(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
+bool added_position(const Model& model, const AddBoids& add, const Solids<D>& solids, Draws& draws,
+                    Vec<D>& position) {
+  const auto is_free = [&](const Vec<D>& at) { return solids.is_free(wrapped_place(model, at)); };
+  const bool is_found = find_place(
+      position, most_tries,
+      [&] { return vec_of<D>(add.at, {}) + draws.in_ball<D>() * static_cast<float>(add.radius); }, is_free);
+  if (is_found || !model.is_solid || solids.bring_out(position)) return true;
+  return find_place(
+      position, most_tries, [&] { return in_box(vec_of<D>({}, model.min), vec_of<D>({}, model.max), draws); },
+      is_free);
+}
+
+template <int D>
+bool spawn_around_in(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
   std::size_t flock = 0;
   while (scenario.flocks[flock].name != add.flock) ++flock;
   const FlockDef& def = scenario.flocks[flock];
-  const FreePlaces<D> places(model, flock, state);
+  const float body = model.flocks[flock].body_radius;
+  const ObstacleIndex obstacles = index_of(model, state, body);
+  const Solids<D> solids(model, obstacles, body);
+  bool are_all_there = true;
   for (std::int64_t i = 0; i < add.count; ++i) {
     const std::uint64_t id = state.next_id++;
     Draws position_draws(model.seed, state.step, id, Stream::start_position);
     Draws velocity_draws(model.seed, state.step, id, Stream::start_velocity);
     Vec<D> position;
-    places.find(position, [&] {
-      return vec_of<D>(add.at, {}) + position_draws.in_ball<D>() * static_cast<float>(add.radius);
-    });
-    push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(def.start, velocity_draws), state);
+    if (added_position(model, add, solids, position_draws, position)) {
+      push_boid<D>(scenario, model, flock, id, position, start_velocity<D>(def.start, velocity_draws), state);
+    } else {
+      are_all_there = false;
+    }
   }
+  return are_all_there;
+}
+
+template <int D>
+bool bring_out_in(const Model& model, std::size_t slot, State& state) {
+  const float body = model.flocks[state.flock[slot]].body_radius;
+  const ObstacleIndex obstacles = index_of(model, state, body);
+  const Solids<D> solids(model, obstacles, body);
+  auto place = at<D>(state.position, slot);
+  if (!solids.is_free(place) && !solids.bring_out(place)) return false;
+  put(state.position, slot, place);
+  return true;
 }
 
 // Uniform in the space, or in a ball about the place where the food appears.
@@ -236,13 +260,41 @@ void push_food(const Model& model, std::size_t kind, std::uint64_t id, Vec<D> po
   push(state.food.position, position);
 }
 
+// How far from solid obstacles a piece lies (length): its body does not touch them, and the smallest of those
+// who feed on it can stand there.
+float food_room(const Model& model, std::size_t kind) {
+  float least = FlockModel::infinity_f;
+  for (const FlockModel& flock : model.flocks) {
+    if (flock.feed && flock.feed->kind == kind) least = std::min(least, flock.body_radius);
+  }
+  const float own = model.food[kind].body_radius;
+  return std::isinf(least) ? own : std::max(own, least);
+}
+
+// False where nothing is free.
+template <int D, class Draw>
+bool free_food_position(const Model& model, const Solids<D>& solids, Draw&& draw, Vec<D>& position) {
+  constexpr int tries = 100;
+  const bool is_found = find_place(
+      position, tries, draw, [&](const Vec<D>& at) { return solids.is_free(wrapped_place(model, at)); });
+  return is_found || solids.bring_out(position);
+}
+
 template <int D>
 void spawn_food_in(const Model& model, std::size_t kind, std::size_t count, const Coordinates& at,
-                   double radius, State& state) {
+                   double radius, const ObstacleIndex& obstacles, State& state) {
+  const Solids<D> solids(model, obstacles, food_room(model, kind));
+  const bool is_solid = model.is_solid && !obstacles.empty();
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t id = state.next_id++;
     Draws draws(model.seed, state.step, id, Stream::food);
-    push_food<D>(model, kind, id, food_position<D>(model, at, radius, draws), state);
+    const auto draw = [&] { return food_position<D>(model, at, radius, draws); };
+    Vec<D> position;
+    if (!is_solid) {
+      push_food<D>(model, kind, id, draw(), state);
+    } else if (free_food_position(model, solids, draw, position)) {
+      push_food<D>(model, kind, id, position, state);
+    }
   }
 }
 
@@ -312,9 +364,13 @@ std::int64_t spawn_flock(const ScenarioDef& scenario, const Model& model, std::s
                                : spawn_flock_in<2>(scenario, model, flock, state);
 }
 
-void spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
-  model.dimensions == 3 ? spawn_around_in<3>(scenario, model, add, state)
-                        : spawn_around_in<2>(scenario, model, add, state);
+bool spawn_around(const ScenarioDef& scenario, const Model& model, const AddBoids& add, State& state) {
+  return model.dimensions == 3 ? spawn_around_in<3>(scenario, model, add, state)
+                               : spawn_around_in<2>(scenario, model, add, state);
+}
+
+bool bring_out(const Model& model, std::size_t slot, State& state) {
+  return model.dimensions == 3 ? bring_out_in<3>(model, slot, state) : bring_out_in<2>(model, slot, state);
 }
 
 void spawn_beside(const ScenarioDef& scenario, const Model& model, std::size_t flock,
@@ -324,18 +380,26 @@ void spawn_beside(const ScenarioDef& scenario, const Model& model, std::size_t f
 }
 
 void spawn_food(const ScenarioDef& scenario, const Model& model, std::size_t kind, std::size_t count,
-                State& state) {
+                const ObstacleIndex& obstacles, State& state) {
   const FoodDef& food = scenario.food[kind];
-  model.dimensions == 3 ? spawn_food_in<3>(model, kind, count, food.at, food.radius, state)
-                        : spawn_food_in<2>(model, kind, count, food.at, food.radius, state);
+  model.dimensions == 3 ? spawn_food_in<3>(model, kind, count, food.at, food.radius, obstacles, state)
+                        : spawn_food_in<2>(model, kind, count, food.at, food.radius, obstacles, state);
+}
+
+void spawn_food(const ScenarioDef& scenario, const Model& model, State& state) {
+  for (std::size_t kind = 0; kind < scenario.food.size(); ++kind) {
+    const auto count = static_cast<std::size_t>(scenario.food[kind].count);
+    spawn_food(scenario, model, kind, count, index_of(model, state, food_room(model, kind)), state);
+  }
 }
 
 void spawn_food_around(const ScenarioDef& scenario, const Model& model, const AddFood& add, State& state) {
   std::size_t kind = 0;
   while (scenario.food[kind].name != add.food) ++kind;
   const auto count = static_cast<std::size_t>(add.count);
-  model.dimensions == 3 ? spawn_food_in<3>(model, kind, count, add.at, add.radius, state)
-                        : spawn_food_in<2>(model, kind, count, add.at, add.radius, state);
+  const ObstacleIndex obstacles = index_of(model, state, food_room(model, kind));
+  model.dimensions == 3 ? spawn_food_in<3>(model, kind, count, add.at, add.radius, obstacles, state)
+                        : spawn_food_in<2>(model, kind, count, add.at, add.radius, obstacles, state);
 }
 
 void reserve_for_births(const Model& model, State& state) {

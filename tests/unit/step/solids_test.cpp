@@ -167,8 +167,9 @@ RC_GTEST_PROP(Solids, NobodyEndsAStepInsideOfAnything, ()) {
   RC_ASSERT(escapes_in(scenario, 30) == 0);
 }
 
-// ---- what a stop looks like ----
+// ---- births, food and boids that are added ----
 
+/// Only what obstacles do.
 ScenarioDef quiet(const std::vector<Coordinates>& spheres) {
   ScenarioDef scenario = bare();
   scenario.space.solid = true;
@@ -176,6 +177,93 @@ ScenarioDef quiet(const std::vector<Coordinates>& spheres) {
   scenario.obstacles = {{spheres, {}, {}, {}}};
   return scenario;
 }
+
+FoodDef pieces(std::int64_t count) {
+  FoodDef food;
+  food.count = count;
+  return food;
+}
+
+/// Turmoil in which boids eat and are born, more of them in every step until they are many.
+ScenarioDef fertile(const Turmoil& one) {
+  ScenarioDef scenario = turmoil(one.dimensions, one.boundary, one.speed);
+  add_obstacles(scenario);
+  scenario.flocks.front().feed = Feed{.on = "food", .births = 2, .population_cap = 4000};
+  FoodDef food;
+  food.body_radius = 3;  // so that the newborn stand well beside
+  food.random = {.every = 1, .count = 200, .most = 400};
+  scenario.food = {food};
+  return scenario;
+}
+
+TEST_P(Solids, NobodyIsBornInside) {
+  const ScenarioDef scenario = fertile(GetParam());
+  Simulation simulation = start(scenario, 2);
+  const Referee referee(scenario);
+  for (int step = 0; step < 30; ++step) {
+    simulation.step();
+    ASSERT_EQ(referee.escapes(simulation.view()), 0u) << "step " << step;
+  }
+  EXPECT_GT(simulation.report().born, 200u);
+}
+
+TEST_P(Solids, NobodyIsAddedOrPutInside) {
+  const Turmoil& one = GetParam();
+  ScenarioDef scenario = turmoil(one.dimensions, one.boundary, one.speed);
+  add_obstacles(scenario);
+  Simulation simulation = start(scenario);
+  const Referee referee(scenario);
+  // In the thick of spheres that overlap, over the edge, in a box, behind the plane.
+  for (const Coordinates& place : std::vector<Coordinates>{
+           {4, 4, 2}, {0, 0, 0}, {49, 49, 49}, {-29, 11, 3}, {-49, 49, -49}, {0, -45, 0}}) {
+    const Coordinates at(place.begin(), place.begin() + one.dimensions);
+    const Coordinates velocity(at.size(), 0.0);
+    must(simulation.push(AddBoids{"boids", 20, at, 0}));
+    must(simulation.push(AddBoids{"boids", 20, at, 5}));
+    must(simulation.push(MoveBoid{7, at, velocity}));
+    EXPECT_EQ(referee.escapes(simulation.view()), 0u) << at[0] << ", " << at[1];
+  }
+  EXPECT_EQ(simulation.view().size(), 500u + 6 * 40);
+}
+
+// Where a body of 1 that feeds on it can stand; the pieces' own is smaller.
+TEST_P(Solids, NoFoodFallsWhereNobodyReachesIt) {
+  ScenarioDef scenario = fertile(GetParam());
+  scenario.flocks.front().body_radius = 1;
+  scenario.flocks.front().feed->births = 0;
+  scenario.food[0].count = 100;
+  scenario.food[0].body_radius = 0.2;
+  const Coordinates middle(scenario.space.min.size(), 2.0);
+  scenario.run.events = {{2, AddFood{"food", 30, middle, 4}}};
+  Simulation simulation = start(scenario);
+  const Referee referee(scenario);
+  std::size_t fallen = 0;
+  for (int step = 0; step < 20; ++step) {
+    const Food& food = simulation.view().state().food;
+    for (std::size_t i = 0; i < food.size(); ++i) {
+      Point at{};
+      for (std::size_t axis = 0; axis < middle.size(); ++axis) at[axis] = food.position[axis][i];
+      for (const Obstacle& obstacle : simulation.view().state().obstacles)
+        ASSERT_LT(referee.depth(at, obstacle), 1e-5) << "step " << step;
+    }
+    fallen += food.size();
+    simulation.step();
+  }
+  EXPECT_GT(fallen, 2000u);
+}
+
+TEST(Solid, IsNoPlaceForFoodWhereNothingIsFree) {
+  ScenarioDef scenario = quiet({{0, 0, 5000}});
+  scenario.space.boundary.kind = BoundaryKind::bounce;
+  scenario.food = {pieces(10)};
+  scenario.food[0].random = {.every = 1, .count = 3};
+  Simulation simulation = world_of(scenario, {});
+  simulation.run(5);
+  must(simulation.push(AddFood{"food", 5, {1, 1}, 20}));
+  EXPECT_EQ(simulation.view().state().food.size(), 0u);
+}
+
+// ---- what a stop looks like ----
 
 TEST(Solid, StopsJustBeforeTheSurfaceAndDropsTheInwardVelocity) {
   Simulation simulation = world_of(quiet({{50, 0, 9}}), {{{0, 0}, {100, 0}}, {{0, 6}, {100, 0}}});
@@ -201,6 +289,52 @@ TEST(Solid, BringsWhoStartsInsideToTheNearestSurface) {
   EXPECT_NEAR(position_of(simulation, 0)[0], 60.001, 1e-4);
   EXPECT_NEAR(position_of(simulation, 0)[1], 0, 1e-6);
   EXPECT_EQ(velocity_of(simulation, 0), (Point{0, 1, 0}));
+}
+
+TEST(Solid, PutsWhoIsAddedInsideToTheNearestSurface) {
+  Simulation simulation = world_of(quiet({{50, 0, 9}}), {{{0, 0}, {0, 0}}});
+  must(simulation.push(AddBoids{"boids", 1, {52, 0}, 0}));
+  EXPECT_NEAR(position_of(simulation, 1)[0], 60.001, 1e-4);
+  must(simulation.push(MoveBoid{0, {50, -3}, {1, 0}}));
+  EXPECT_NEAR(position_of(simulation, 0)[1], -10.001, 1e-4);
+}
+
+TEST(Solid, LetsNobodyComeWhereThereIsNoPlaceAtAll) {
+  ScenarioDef scenario = quiet({});
+  scenario.space.boundary.kind = BoundaryKind::bounce;
+  Simulation simulation = world_of(scenario, {{{0, 0}, {0, 0}}});
+  must(simulation.push(PlaceObstacle{{0, 0}, 5000}));
+  must(simulation.push(AddBoids{"boids", 3, {1, 2}, 1}));
+  EXPECT_EQ(simulation.view().size(), 1u);
+  EXPECT_EQ(simulation.report().commands_in_vain, 1u);
+  must(simulation.push(MoveBoid{0, {10, 10}, {0, 0}}));
+  EXPECT_EQ(position_of(simulation, 0), (Point{0, 0, 0})) << "he stays where he was";
+  EXPECT_EQ(simulation.report().commands_in_vain, 2u);
+}
+
+TEST(Solid, LetsTheNewbornComeFromTheirParentsSideOfAWall) {
+  // The food lies before a thin wall, the way beside it often leads through.
+  ScenarioDef scenario = quiet({});
+  scenario.obstacles[0].boxes = {{-100, 1.5, 100, 1.6}};
+  scenario.flocks.front().feed = Feed{.on = "food", .weight = 0, .births = 40, .population_cap = 100};
+  scenario.food = {pieces(0)};
+  Simulation simulation = world_of(scenario, {{{0, 0}, {0, 0}}});
+  must(simulation.push(AddFood{"food", 1, {0, 0.4}, 0}));
+  simulation.step();
+  ASSERT_EQ(simulation.view().size(), 41u);
+  for (std::size_t i = 0; i < 41; ++i) EXPECT_LT(simulation.view().position(i)[1], 0.5 + 1e-5);
+}
+
+TEST(Births, StayInAWorldThatBouncesEvenWhereNothingIsSolid) {
+  ScenarioDef scenario = bare();
+  scenario.space.boundary.kind = BoundaryKind::bounce;
+  scenario.flocks.front().feed = Feed{.on = "food", .weight = 0, .births = 40, .population_cap = 100};
+  scenario.food = {pieces(0)};
+  Simulation simulation = world_of(scenario, {{{1000, 0}, {0, 0}}});
+  must(simulation.push(AddFood{"food", 1, {1000, 0}, 0}));
+  simulation.step();
+  ASSERT_EQ(simulation.view().size(), 41u);
+  EXPECT_EQ(Referee(scenario).escapes(simulation.view()), 0u);
 }
 
 TEST(Solid, IsAskedFor) {
