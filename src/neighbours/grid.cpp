@@ -59,6 +59,15 @@ class Grid : public NeighbourIndex {
     sort(workers, order);
   }
 
+  void reserve(std::size_t count, std::size_t parts) override {
+    const auto cells = static_cast<std::size_t>(most_cells(count)) + 1;
+    cells_.reserve(count);
+    counts_.reserve(parts * cells);
+    begin_.reserve(cells + 1);
+    sums_.reserve(parts + 1);
+    pairs_.reserve(parts);
+  }
+
   void spans(const std::array<float, 3>& from, const std::array<float, 3>& to, float reach,
              std::vector<Span>& spans) const override {
     spans.clear();
@@ -171,8 +180,8 @@ class Grid : public NeighbourIndex {
     return {from - (to - from), to + (to - from)};
   }
 
-  std::int64_t most_cells() const {
-    return std::max<std::int64_t>(4096, 8 * static_cast<std::int64_t>(cloud_.count));
+  static std::int64_t most_cells(std::size_t boids) {
+    return std::max<std::int64_t>(4096, 8 * static_cast<std::int64_t>(boids));
   }
 
   // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how
@@ -199,7 +208,7 @@ class Grid : public NeighbourIndex {
   void choose_axes() {
     std::array<std::array<double, 2>, 3> stretch{};
     const auto axes = static_cast<std::size_t>(cloud_.dimensions);
-    const auto limit = static_cast<double>(most_cells());
+    const auto limit = static_cast<double>(most_cells(cloud_.count));
     for (std::size_t axis = 0; axis < axes; ++axis) {
       stretch[axis] =
           cloud_.wraps ? std::array<double, 2>{cloud_.min[axis], cloud_.max[axis]} : reach_of_boids(axis);

@@ -79,6 +79,13 @@ class NeighbourIndex {
   virtual void build(const Cloud& cloud, float reach, const Workers& workers,
                      std::vector<std::uint32_t>& order) = 0;
 
+  /// Keeps memory for clouds of up to so many boids, sorted in so many parts; one that doesn't asks for it as
+  /// a cloud grows.
+  virtual void reserve(std::size_t count, std::size_t parts) {
+    static_cast<void>(count);
+    static_cast<void>(parts);
+  }
+
   /// Spans that hold every boid within `reach`, at most that of `build`, of any place in the box from `low`
   /// to `high`, which lies inside the space. Always in the same order; no boid twice. `spans` is cleared
   /// first.

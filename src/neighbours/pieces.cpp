@@ -15,6 +15,14 @@ void spoil_array(std::vector<T>& array) {
 
 }  // namespace
 
+void Pieces::reserve(std::size_t count) {
+  constexpr std::size_t most_cells = 32 * 32 * 32;  // in 3D, more than 128 * 128 in 2D
+  begin_.reserve(most_cells + 2);
+  slot_.reserve(count);
+  kind_.reserve(count);
+  for (auto& column : position_) column.reserve(count);
+}
+
 // Cells about half as wide as the reach, but no more than a few for each piece.
 void Pieces::lay_out(const Food& food, int dimensions, const std::array<float, 3>& low, float reach) {
   const double root = std::sqrt(static_cast<double>(food.size()));

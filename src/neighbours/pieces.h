@@ -17,6 +17,9 @@ class Pieces {
   void build(const Food& food, int dimensions, const Wrapping& image, const std::array<float, 3>& low,
              float reach);
 
+  /// Keeps memory for so many pieces.
+  void reserve(std::size_t count);
+
   /// Calls f(piece, kind, offset) for every piece with distance <= `radius`, always in the same order.
   template <int D, class F>
   void visit(const Vec<D>& at, float radius, F&& f) const {

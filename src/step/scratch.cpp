@@ -23,6 +23,8 @@ void fit(Columns& columns, int axes, std::size_t size) {
 
 void poison(Scratch& scratch) {
   scratch.index.reset();
+  scratch.other_index.reset();
+  scratch.room = 0;
   scratch.is_indexed = false;
   scratch.obstacles.forget();
   spoil(scratch.order);

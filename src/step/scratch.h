@@ -48,8 +48,11 @@ struct LifeScratch {
 
 struct Scratch {
   std::unique_ptr<NeighbourIndex> index;
-  Index indexed_as;                  ///< what `index` is
-  bool is_indexed = false;           ///< false where nobody has a finite reach
+  Index indexed_as;                             ///< what `index` is
+  std::unique_ptr<NeighbourIndex> other_index;  ///< of a world that was smaller or larger
+  Index other_indexed_as;
+  std::size_t room = 0;     ///< boids that there is memory for in a world with births; 0: nobody has looked
+  bool is_indexed = false;  ///< false where nobody has a finite reach
   std::vector<std::uint32_t> order;  ///< where each boid stood before the index sorted them
   Spare spare;
   Columns heading;

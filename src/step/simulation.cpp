@@ -97,6 +97,7 @@ struct Simulation::World {
     const Applied applied = apply(command, scenario, model, state);
     if (applied.is_in_vain) ++report.commands_in_vain;
     if (applied.has_compiled) add_custom_terms();
+    scratch.room = 0;
     if (std::holds_alternative<AddBoids>(command) || std::holds_alternative<EraseBoids>(command))
       outside.external = {};
     if (applied.has_moved_boids) forget_last_step();
@@ -106,6 +107,7 @@ struct Simulation::World {
   void forget_last_step() {
     scratch.previous_position = {};
     scratch.previous_velocity = {};
+    scratch.room = 0;
   }
 
   // Does every logged event whose step has come.
@@ -260,7 +262,6 @@ Result<Simulation> Simulation::create(const ScenarioDef& scenario, const Simulat
   if (all == nullptr) spawn_food(scenario, world->model, world->state);
   if (!problems.empty()) return problems;
   wrap_positions(world->model, world->state);
-  reserve_for_births(world->model, world->state);
   quarantine(world->model, world->state, world->workers);
   world->do_events();
   return Simulation(std::move(world));

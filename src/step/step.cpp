@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "step/life.h"
+#include "step/room.h"
 #include "step/watched.h"
 #include "world/columns.h"
+#include "world/spawn.h"
 #include "world/state.h"
 
 namespace sturnus {
@@ -57,13 +59,32 @@ bool is_small(const Index& wanted, const Cloud& cloud) {
   return wanted.kind == IndexKind::grid && wanted.path != SumPath::dense && cloud.count <= few;
 }
 
-// Keeps the index of the step before, with its memory, where it still fits.
+// Keeps the index of the step before, with its memory, where it still fits; and one more, for a world whose
+// size goes up and down.
 void fit_index(const Model& model, const Cloud& cloud, Scratch& scratch) {
   Index wanted = model.index;
   if (!may_divide(cloud, model.reach) || is_small(wanted, cloud)) wanted.kind = IndexKind::all_pairs;
   if (scratch.index && is_the_same(scratch.indexed_as, wanted)) return;
+  std::swap(scratch.index, scratch.other_index);
+  std::swap(scratch.indexed_as, scratch.other_indexed_as);
+  if (scratch.index && is_the_same(scratch.indexed_as, wanted)) return;
   scratch.index = make_index(wanted, cloud, model.reach);
   scratch.indexed_as = wanted;
+}
+
+// Memory for all that births may bring, so that no step asks for it: for the arrays of the state, for those
+// that change places with them, for the index that a world of that size has.
+void make_room_for_births(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
+  const auto parts = static_cast<std::size_t>(workers.count());
+  scratch.room = most_after_births(model, state);
+  reserve(state, scratch, model, scratch.room, parts);
+  if (!(model.reach > 0)) return;
+  Cloud cloud = cloud_of(model, state);
+  for (const std::size_t count : {scratch.room, state.size()}) {
+    cloud.count = count;
+    fit_index(model, cloud, scratch);
+    scratch.index->reserve(scratch.room, parts);
+  }
 }
 
 }  // namespace
@@ -117,6 +138,7 @@ void step(const Model& model, const ScenarioDef& scenario, State& state, Scratch
           const Outside& outside, StepReport& report, const Workers& workers) {
   {
     const Watched watched(outside.watch, Phase::sort, 0);
+    if (model.has_feeders && scratch.room == 0) make_room_for_births(model, state, scratch, workers);
     prepare(model, scenario, state, scratch, outside, workers);
   }
   flock(model, state, scratch, outside.watch, workers);

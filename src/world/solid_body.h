@@ -61,8 +61,9 @@ class Solids {
   }
 
  private:
-  static constexpr double gap = 1e-4;    // of an obstacle's size: how far before it a body stops
-  static constexpr int most_climbs = 8;  // surfaces one after the other on the way out of overlapping obstacles
+  static constexpr double gap = 1e-4;  // of an obstacle's size: how far before it a body stops
+  static constexpr int most_climbs =
+      8;  // surfaces one after the other on the way out of overlapping obstacles
 
   struct Met {
     double t;

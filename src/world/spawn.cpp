@@ -402,7 +402,7 @@ void spawn_food_around(const ScenarioDef& scenario, const Model& model, const Ad
                         : spawn_food_in<2>(model, kind, count, add.at, add.radius, obstacles, state);
 }
 
-void reserve_for_births(const Model& model, State& state) {
+std::size_t most_after_births(const Model& model, const State& state) {
   std::size_t most = state.size();
   std::vector<std::size_t> members(model.flocks.size());
   for (const std::uint8_t flock : state.flock) ++members[flock];
@@ -410,7 +410,7 @@ void reserve_for_births(const Model& model, State& state) {
     const std::size_t cap = model.flocks[i].feed ? model.flocks[i].population_cap : 0;
     most += cap > members[i] ? cap - members[i] : 0;
   }
-  if (most > state.size()) reserve(state, most);
+  return most;
 }
 
 void append_boids(const ScenarioDef& scenario, const Model& model, const State& from, int flock,

@@ -36,8 +36,8 @@ void spawn_food(const ScenarioDef& scenario, const Model& model, State& state);
 /// Appends pieces of food around a place as AddFood says.
 void spawn_food_around(const ScenarioDef& scenario, const Model& model, const AddFood& add, State& state);
 
-/// Keeps memory for all that births may bring, so that a step need not ask for it.
-void reserve_for_births(const Model& model, State& state);
+/// How many boids there may be at a time by births.
+std::size_t most_after_births(const Model& model, const State& state);
 
 /// Appends the boids of another state that belong to `flock`; all flocks, and the food, when it is -1. Ids
 /// that are taken are replaced by new ones; wander, colour and clocks are filled in where the other state

@@ -79,9 +79,6 @@ const std::vector<Case> cases = {
     {"Wander", "murmuration", {}},
     {"SolidObstacles", "vuw-challenge", {}},
     {"ObstaclesAllRound", "cs184-bordered", {}},
-    {"BirthsAndDeaths",
-     "sharks-and-fish",
-     {{"flock.fish.feed.population_cap", "305"}, {"food.plankton.random.every", "5"}}},
     {"HuntersOfManyKinds", "cs184-feeding-frenzy", {}},
     {"HawksInSpace", "hawk-and-starlings", {}},
     {"Living2d", "bench-living-2d", {}},
@@ -114,6 +111,49 @@ std::string name_of(const testing::TestParamInfo<std::tuple<Case, int>>& test) {
 
 INSTANTIATE_TEST_SUITE_P(Of, StepAllocations,
                          testing::Combine(testing::ValuesIn(cases), testing::Values(1, 2)), name_of);
+
+/// A sea that grows from few fish, who are searched one by one, to so many that a grid pays.
+ScenarioDef growing_sea() {
+  ScenarioDef scenario = take(load_scenario("sharks-and-fish"));
+  for (const auto& [key, value] :
+       std::vector<std::pair<const char*, const char*>>{{"flock.fish.count", "60"},
+                                                        {"flock.fish.feed.population_cap", "500"},
+                                                        {"flock.sharks.count", "8"},
+                                                        {"flock.sharks.hunger.full_for", "20"},
+                                                        {"flock.sharks.hunger.starves_after", "150"},
+                                                        {"food.plankton.count", "60"},
+                                                        {"food.plankton.random.every", "1"},
+                                                        {"food.plankton.random.count", "6"}})
+    set(scenario, key, value);
+  return scenario;
+}
+
+class GrowingSea : public testing::TestWithParam<int> {};
+
+TEST_P(GrowingSea, AllocatesNothingWhileBoidsAreBornAndDie) {
+  Simulation sea = start(growing_sea(), GetParam());
+  sea.run(5);
+  ASSERT_LT(sea.view().size(), 120u);
+  const StepReport before = sea.report();
+  std::size_t steps_with_births = 0;
+  for (int step = 0; step < 400; ++step) {
+    const std::size_t born = sea.report().born;
+    count = 0;
+    is_counting = true;
+    sea.step();
+    is_counting = false;
+    ASSERT_EQ(count, 0u) << "step " << step << ", " << sea.view().size() << " boids";
+    steps_with_births += sea.report().born > born ? 1 : 0;
+  }
+  const StepReport after = sea.report();
+  EXPECT_GT(steps_with_births, 100u);
+  EXPECT_GT(after.eaten, before.eaten + 3);
+  EXPECT_GT(after.starved, before.starved + 3);
+  EXPECT_GT(after.births_refused, before.births_refused) << "it reached its cap";
+  EXPECT_GT(sea.view().size(), 450u);
+}
+
+INSTANTIATE_TEST_SUITE_P(On, GrowingSea, testing::Values(1, 2));
 
 TEST(Allocations, AreCounted) {
   count = 0;
