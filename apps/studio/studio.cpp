@@ -125,12 +125,14 @@ void Studio::serve(double seconds) {
   });
 }
 
-// Whether the mouse is over the world is known when the panels stand; a pointer that left it lets go.
+// Whether the mouse is over the world is known when the panels stand; a pointer that left it lets go, and so
+// does one whose tool was laid down.
 void Studio::notice_hand() {
   const bool was_in_view = desk_.hand.in_view;
   desk_.hand.in_view = !ImGui::GetIO().WantCaptureMouse && ImGui::IsMousePosValid() && desk_.hand.x >= 0;
-  if (was_in_view != desk_.hand.in_view && (drag_ == Drag::none || drag_ == Drag::tool))
-    desk_.tools.move(desk_.hand, *desk_.frame, desk_.camera, session_);
+  if (drag_ == Drag::orbit || drag_ == Drag::look) return;
+  desk_.tools.notice(desk_.hand, *desk_.frame, desk_.camera, session_);
+  if (was_in_view != desk_.hand.in_view) desk_.tools.move(desk_.hand, *desk_.frame, desk_.camera, session_);
 }
 
 // The whole space, or the flock where the scenario's camera wants it.

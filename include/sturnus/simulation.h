@@ -55,8 +55,9 @@ class Snapshot {
 };
 
 /// What becomes of events that were done by hand after the moment that is restored: they are done again when
-/// their step comes, until the next `push`; or they never were.
-enum class Later { again, never };
+/// their step comes, until the next `push`; or they never were; or those are done that were still to come
+/// when the moment was kept, whatever was done since.
+enum class Later { again, never, as_then };
 
 /// What a run met besides flocking.
 struct StepReport {

@@ -345,7 +345,8 @@ void Simulation::restore(const Snapshot& snapshot, Later later) {
   const Snapshot::Data& data = *snapshot.data_;
   // What came after this moment is kept for replay where the world lived through it; where it lived through
   // another past, the snapshot's own future holds.
-  if (!same_past(world.log, data.log, data.done, data.state.step)) world.log = data.log;
+  if (later == Later::as_then || !same_past(world.log, data.log, data.done, data.state.step))
+    world.log = data.log;
   world.scenario = data.scenario;
   world.model = compile(world.scenario);
   world.add_custom_terms();

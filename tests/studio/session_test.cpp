@@ -6,6 +6,8 @@
 #include <sturnus/files.h>
 #include <sturnus/parameters.h>
 
+#include <map>
+
 #include "session/playback.h"
 
 namespace studio {
@@ -101,6 +103,125 @@ TEST(StudioWorld, ActingInThePastBeginsAnotherFuture) {
   run(world, 10);
   ASSERT_TRUE(world.undo());
   EXPECT_EQ(world.simulation().step_number(), 20u);
+  EXPECT_EQ(world.last(), 40u) << "the future that there was is lost";
+}
+
+// Adds, sets a parameter, erases; and what the world was at every step.
+struct Told {
+  World world{small_flock(), plenty};
+  std::vector<std::uint64_t> hashes;
+
+  Told() {
+    const std::map<int, sturnus::Command> deeds = {
+        {10, AddBoids{flock_of(world), 8, {0, 0}, 5}},
+        {20, SetParameter{"flock." + flock_of(world) + ".max_speed", "20"}},
+        {30, EraseBoids{{0, 0}, 60}}};
+    for (int i = 0; i < 50; ++i) {
+      if (const auto deed = deeds.find(i); deed != deeds.end()) {
+        EXPECT_TRUE(world.act(deed->second, "deed"));
+      }
+      hashes.push_back(world.simulation().hash());
+      world.step();
+    }
+    hashes.push_back(world.simulation().hash());
+  }
+  void expect_all() {
+    EXPECT_EQ(world.last(), 50u);
+    for (const std::uint64_t step : {50u, 5u, 35u, 12u, 25u, 30u}) {
+      go(world, step);
+      EXPECT_EQ(world.simulation().hash(), hashes[step]) << step;
+    }
+  }
+};
+
+TEST(StudioWorld, UndoInThePastTakesTheLastDeedBackWhereItWasDoneAndRedoBringsAllOfItAgain) {
+  Told told;
+  World& world = told.world;
+  go(world, 15);
+  ASSERT_TRUE(world.undo());  // the eraser's stroke, which lies ahead
+  EXPECT_EQ(world.simulation().step_number(), 30u);
+  EXPECT_EQ(world.last(), 30u);
+  EXPECT_EQ(world.simulation().view().size(), 208u);
+  go(world, 15);
+  ASSERT_TRUE(world.undo());  // the value, which was set ahead
+  EXPECT_EQ(world.simulation().step_number(), 20u);
+  EXPECT_NE(world.simulation().scenario().flocks[0].max_speed, 20);
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().step_number(), 10u);
+  EXPECT_EQ(world.simulation().view().size(), 200u);
+  EXPECT_FALSE(world.undo());
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(world.redo());
+  EXPECT_EQ(world.simulation().step_number(), 15u);
+  told.expect_all();
+}
+
+TEST(StudioWorld, UndoOfADeedOfThePastBringsTheOldFutureBack) {
+  Told told;
+  World& world = told.world;
+  const std::string path = "flock." + flock_of(world) + ".min_speed";
+  const std::string old = *sturnus::get_parameter(world.simulation().scenario(), path);
+  for (const sturnus::Command& command :
+       {sturnus::Command(EraseBoids{{0, 0}, 90}), sturnus::Command(SetParameter{path, "0.25"})}) {
+    go(world, 25);
+    ASSERT_TRUE(world.act(command, "branch"));
+    run(world, 40);
+    EXPECT_EQ(world.last(), 65u);
+    go(world, 40);
+    ASSERT_TRUE(world.undo());
+    EXPECT_EQ(world.simulation().step_number(), 25u);
+    EXPECT_EQ(*sturnus::get_parameter(world.simulation().scenario(), path), old);
+    told.expect_all();
+  }
+  go(world, 40);
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(world.last(), 65u);
+  ASSERT_TRUE(world.undo());
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().step_number(), 30u) << "the deeds before it are still there to be undone";
+}
+
+TEST(StudioWorld, RedoLeadsToItsOwnPastToo) {
+  World world(small_flock(), plenty);
+  run(world, 10);
+  ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 60}, "erase"));
+  run(world, 10);
+  const std::uint64_t at_20 = world.simulation().hash();
+  go(world, 17);
+  const std::uint64_t at_17 = world.simulation().hash();
+  go(world, 20);
+  ASSERT_TRUE(world.undo());
+  run(world, 10);  // keeps moments without the stroke
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(world.simulation().hash(), at_20);
+  go(world, 17);
+  EXPECT_EQ(world.simulation().hash(), at_17);
+}
+
+TEST(StudioWorld, AHandOfThePastLetsGoWhereAnotherFutureBegins) {
+  World world(small_flock(), plenty);
+  ASSERT_TRUE(world.act(sturnus::MovePointer{sturnus::PointerMode::attract, {0, 0}, true}, "drag", 1));
+  run(world, 20);
+  ASSERT_TRUE(world.act(sturnus::MovePointer{sturnus::PointerMode::attract, {0, 0}, false}, ""));
+  run(world, 20);
+  go(world, 10);
+  ASSERT_TRUE(world.simulation().view().state().pointer.pressed);
+  ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 30}, "erase"));
+  EXPECT_FALSE(world.simulation().view().state().pointer.pressed);
+  run(world, 10);
+  auto replay = sturnus::open_simulation(world.simulation().recording(), 1);
+  ASSERT_TRUE(replay) << replay.error();
+  replay->run(20);
+  EXPECT_EQ(replay->hash(), world.simulation().hash());
+}
+
+TEST(StudioWorld, AScenariosOwnPointerHoldsOnWhereAnotherFutureBegins) {
+  auto scenario = sturnus::load_scenario("ucsd");
+  scenario->run.events = {{5, sturnus::MovePointer{sturnus::PointerMode::attract, {400, 300}, true}}};
+  World world(std::move(*sturnus::open_simulation(*scenario, 1)), plenty);
+  run(world, 20);
+  go(world, 10);
+  ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 30}, "erase"));
+  EXPECT_TRUE(world.simulation().view().state().pointer.pressed);
 }
 
 TEST(StudioWorld, TheHistoryKeepsToItsBudgetAndStillReachesTheStart) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "session/events.h"
 #include "session/packing.h"
 
 namespace studio {
@@ -42,21 +43,43 @@ void World::step() {
 
 Status World::act(const Command& command, const std::string& label, std::uint64_t gesture) {
   const std::optional<Change> change = change_of(command);
-  const bool is_new = !label.empty() && !goes_on(change.has_value(), gesture);
+  const bool was_past = is_past();
+  const bool is_new = !label.empty() && (was_past || !goes_on(change.has_value(), gesture));
   Deed deed;
   deed.label = label;
   deed.gesture = gesture;
   deed.step = simulation_.step_number();
-  if (is_new && !change) deed.moment = simulation_.snapshot();
+  if (is_new && (!change || was_past)) keep_moment(deed);
   if (const Status status = simulation_.push(command); !status) return status;
-  scenario_ = nullptr;
-  way_to_.reset();
-  last_ = simulation_.step_number();
-  history_.cut(last_);
-  history_.amend(simulation_);
+  if (was_past && !std::holds_alternative<sturnus::MovePointer>(command)) let_go();
+  begin_future(simulation_.step_number());
   if (is_new) remember(std::move(deed));
   if (!label.empty() && change) add(*change, undo_.back());
   return {};
+}
+
+// Forgets what was known of the steps from this one on, as it was before.
+void World::begin_future(std::uint64_t step) {
+  scenario_ = nullptr;
+  way_to_.reset();
+  last_ = simulation_.step_number();
+  history_.cut(step);
+  history_.amend(simulation_);
+}
+
+// A hand that held the pointer in what is now the past holds it no longer.
+void World::let_go() {
+  if (!simulation_.view().state().pointer.pressed) return;
+  const auto done = done_by_hand(simulation_.recording().run.events, events_);
+  const auto held = std::find_if(done.rbegin(), done.rend(), [&](const sturnus::Event& event) {
+    return event.step <= simulation_.step_number() &&
+           std::holds_alternative<sturnus::MovePointer>(event.command);
+  });
+  if (held == done.rend()) return;
+  sturnus::MovePointer off = std::get<sturnus::MovePointer>(held->command);
+  off.pressed = false;
+  off.along.clear();
+  static_cast<void>(simulation_.push(off));
 }
 
 // What a command does to a parameter that has a value which can be put back.
@@ -85,8 +108,6 @@ void World::add(const Change& change, Deed& deed) {
 }
 
 void World::remember(Deed deed) {
-  const auto is_dead = [&](const Deed& other) { return other.step > deed.step; };
-  undo_.erase(std::remove_if(undo_.begin(), undo_.end(), is_dead), undo_.end());
   redo_.clear();
   undo_.push_back(std::move(deed));
   while (undo_.size() > 1 && bytes_of_deeds() > history_bytes_ / deeds_share) undo_.erase(undo_.begin());
@@ -99,26 +120,37 @@ std::size_t World::bytes_of_deeds() const {
   return bytes;
 }
 
-bool World::undo() {
-  const auto is_later = [&](const Deed& deed) {
-    return deed.step > simulation_.step_number() && !deed.other;
-  };
-  undo_.erase(std::remove_if(undo_.begin(), undo_.end(), is_later), undo_.end());
-  return take_back(undo_, redo_);
+void World::keep_moment(Deed& deed) const {
+  deed.moment = simulation_.snapshot();
+  deed.last = last_;
 }
 
-bool World::redo() {
-  return take_back(redo_, undo_);
-}
-
-// Every parameter of a deed, the last one first.
-bool World::put_back(const Deed& deed) {
+// Every parameter of a deed, the last one first. A deed that lies ahead is taken back where it was done.
+bool World::put_back(const Deed& deed, Deed& back) {
+  const bool was_past = is_past();
+  if (was_past) keep_moment(back);
+  while (simulation_.step_number() < deed.step && !go_to(deed.step)) {
+  }
+  back.step = simulation_.step_number();
   bool all = true;
-  for (auto change = deed.changes.rbegin(); change != deed.changes.rend(); ++change)
+  for (auto change = deed.changes.rbegin(); change != deed.changes.rend(); ++change) {
     all = static_cast<bool>(simulation_.push(SetParameter{change->path, change->before})) && all;
-  history_.cut(simulation_.step_number());
-  history_.amend(simulation_);
+    if (!was_past) back.changes.push_back({change->path, change->after, change->before});
+  }
+  begin_future(back.step);
   return all;
+}
+
+// To the moment that the deed kept, with the future that it had.
+void World::go_back(const Deed& deed, Deed& back) {
+  keep_moment(back);
+  back.step = deed.step;
+  simulation_.restore(*deed.moment, sturnus::Later::as_then);
+  if (simulation_.step_number() == deed.last) let_go();
+  if (simulation_.step_number() < history_.first()) history_.start(simulation_);
+  begin_future(deed.step > 0 ? deed.step - 1 : 0);
+  last_ = std::max(last_, deed.last);
+  jumped();
 }
 
 // Takes the last deed of one list back, and puts what leads here again into the other.
@@ -128,26 +160,18 @@ bool World::take_back(std::vector<Deed>& from, std::vector<Deed>& to) {
   from.pop_back();
   Deed back;
   back.label = deed.label;
-  back.step = simulation_.step_number();
-  if (!deed.changes.empty()) {
-    if (!put_back(deed)) return false;
-    for (auto change = deed.changes.rbegin(); change != deed.changes.rend(); ++change)
-      back.changes.push_back({change->path, change->after, change->before});
-  } else if (deed.other) {
+  if (deed.other) {
     back.other = std::make_shared<Simulation>(std::move(simulation_));
     back.opened = std::exchange(opened_, deed.opened);
     simulation_ = std::move(*deed.other);
     history_.start(simulation_);
+    last_ = simulation_.step_number();
     jumped();
-  } else {
-    back.moment = simulation_.snapshot();
-    simulation_.restore(*deed.moment, sturnus::Later::never);
-    if (simulation_.step_number() < history_.first()) history_.start(simulation_);
-    history_.cut(simulation_.step_number());
-    history_.amend(simulation_);
-    jumped();
+  } else if (deed.moment) {
+    go_back(deed, back);
+  } else if (!put_back(deed, back)) {
+    return false;
   }
-  last_ = simulation_.step_number();
   scenario_ = nullptr;
   to.push_back(std::move(back));
   return true;

@@ -40,10 +40,14 @@ class World {
   /// Does a command. `label` is what undo calls it; empty: it can't be undone. Commands of one gesture (not
   /// 0) are undone together.
   sturnus::Status act(const sturnus::Command& command, const std::string& label, std::uint64_t gesture = 0);
-  /// Undoing a changed parameter puts its value back; undoing anything else takes the world back to the
-  /// moment before it. Redoing leads to where the world was when it was undone.
-  bool undo();
-  bool redo();
+  /// Takes the last deed back, whatever step is looked at. A changed parameter gets its old value and the
+  /// world goes on, unless the deed was done in the past or lies ahead; anything else takes the world back to
+  /// the moment before it, with the future that it had. Redoing leads to where the world was when it was
+  /// undone.
+  bool undo() { return take_back(undo_, redo_); }
+  bool redo() { return take_back(redo_, undo_); }
+  /// Whether later steps were seen: whatever is done now begins another future.
+  bool is_past() const { return simulation_.step_number() < last_; }
 
   /// Goes to a step of the past or of the future that was seen before; later commands are done again on the
   /// way. Long ways take many calls: true when there.
@@ -75,16 +79,21 @@ class World {
   struct Deed {
     std::string label;
     std::uint64_t gesture = 0;
-    std::uint64_t step = 0;
-    std::vector<Change> changes;                         ///< of parameters, in their order; or there is
-    std::optional<sturnus::Snapshot> moment;             ///< the world before it (undo) or after it (redo)
-    std::shared_ptr<sturnus::Simulation> other;          ///< or another world
+    std::uint64_t step = 0;                      ///< at which it was done: before, both futures are the same
+    std::vector<Change> changes;                 ///< of parameters, in their order; or there is
+    std::optional<sturnus::Snapshot> moment;     ///< the world before it (undo) or after it (redo)
+    std::uint64_t last = 0;                      ///< of the moment: the last step that was seen then
+    std::shared_ptr<sturnus::Simulation> other;  ///< or another world
     std::shared_ptr<const sturnus::ScenarioDef> opened;  ///< and its scenario as it was opened
   };
   std::optional<Change> change_of(const sturnus::Command& command) const;
   bool goes_on(bool is_change, std::uint64_t gesture) const;
   static void add(const Change& change, Deed& deed);
-  bool put_back(const Deed& deed);
+  void keep_moment(Deed& deed) const;
+  bool put_back(const Deed& deed, Deed& back);
+  void go_back(const Deed& deed, Deed& back);
+  void begin_future(std::uint64_t step);
+  void let_go();
   void remember(Deed deed);
   bool take_back(std::vector<Deed>& from, std::vector<Deed>& to);
   void jumped();

@@ -151,16 +151,14 @@ void Tools::press(const Hand& hand, bool right, const Frame& frame, const Camera
       return stroke(hand, frame, camera, session);
     case Tool::follow:
     case Tool::avoid:
-      return;
+      rests_ = false;
+      mode_ = tool == Tool::follow ? sturnus::PointerMode::attract : sturnus::PointerMode::repel;
+      return point(hand, mode_, true, frame, camera, session);
   }
 }
 
 void Tools::move(const Hand& hand, const Frame& frame, const Camera& camera, Session& session) {
-  if (tool == Tool::follow || tool == Tool::avoid) {
-    mode_ = tool == Tool::follow ? sturnus::PointerMode::attract : sturnus::PointerMode::repel;
-    if (hand.in_view || is_pointing_) point(hand, mode_, hand.in_view, frame, camera, session);
-    return;
-  }
+  if (tool == Tool::follow || tool == Tool::avoid) return follow(hand, frame, camera, session);
   if (is_pointing_ && !(tool == Tool::hand && is_pressed_))
     return point(hand, mode_, false, frame, camera, session);
   if (!is_pressed_) return;
@@ -168,6 +166,30 @@ void Tools::move(const Hand& hand, const Frame& frame, const Camera& camera, Ses
   const float apart = apart_in_stroke * radius / camera.pixel_length(place(hand, frame, camera));
   if (tool == Tool::eraser && std::hypot(hand.x - last_x_, hand.y - last_y_) > apart)
     stroke(hand, frame, camera, session);
+}
+
+// Motion alone never begins another future: in the past that takes a click.
+void Tools::follow(const Hand& hand, const Frame& frame, const Camera& camera, Session& session) {
+  const sturnus::PointerMode mode =
+      tool == Tool::follow ? sturnus::PointerMode::attract : sturnus::PointerMode::repel;
+  if (is_pointing_ && (!hand.in_view || mode != mode_)) point(hand, mode_, false, frame, camera, session);
+  if (!hand.in_view || rests_ || frame.step < frame.reach.last) return;
+  if (!is_pointing_) ++gesture_;
+  mode_ = mode;
+  point(hand, mode_, true, frame, camera, session);
+}
+
+void Tools::notice(const Hand& hand, const Frame& frame, const Camera& camera, Session& session) {
+  if (generation_ != frame.generation) {
+    rests_ = generation_ != 0;
+    is_pressed_ = is_pointing_ = false;
+    generation_ = frame.generation;
+  }
+  if (!hand.in_view) rests_ = false;
+  if (noticed_ == tool) return;
+  noticed_ = tool;
+  is_pressed_ = rests_ = false;
+  move(hand, frame, camera, session);
 }
 
 void Tools::release(const Hand& hand, const Frame& frame, const Camera& camera, Session& session) {
@@ -227,13 +249,19 @@ void Tools::place_obstacle(const Point& at, const Frame& frame, Session& session
   }
 }
 
+// What the hand saw holds for that frame's generation: after a jump it is not heard.
 void Tools::point(const Hand& hand, sturnus::PointerMode mode, bool pressed, const Frame& frame,
                   const Camera& camera, Session& session) {
   const Point at = pressed ? place(hand, frame, camera) : frame.pointer.at;
   is_pointing_ = pressed;
   sturnus::MovePointer pointer{mode, coordinates(at, frame.dimensions), pressed};
   if (pressed) pointer.along = line_of(hand, frame, camera);
-  session.act(std::move(pointer), "");
+  const bool is_drag = tool == Tool::hand;
+  const std::string label = !pressed ? "" : is_drag ? "drag" : info_of(tool).name;
+  session.order([pointer, label, gesture = gesture_, generation = frame.generation](World& world) {
+    if (world.generation() != generation) return sturnus::Status();
+    return world.act(pointer, label, gesture);
+  });
 }
 
 void Tools::show(const Hand& hand, const Frame& frame, const Camera& camera, Shapes& shapes) const {

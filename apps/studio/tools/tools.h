@@ -48,6 +48,8 @@ class Tools {
   void press(const Hand& hand, bool right, const Frame& frame, const Camera& camera, Session& session);
   void move(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   void release(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
+  /// Once a frame: another tool or another moment of the world ends what the hand was doing.
+  void notice(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   /// Everyone near the cursor flies away.
   void scatter(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   /// The tool's ring at the cursor, in its colour.
@@ -60,10 +62,14 @@ class Tools {
   void place_obstacle(const Point& at, const Frame& frame, Session& session);
   void add(const Point& at, bool hunters, const Frame& frame, Session& session);
   void add_food(const Point& at, const Frame& frame, Session& session);
+  void follow(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   void point(const Hand& hand, sturnus::PointerMode mode, bool pressed, const Frame& frame,
              const Camera& camera, Session& session);
 
   std::uint64_t gesture_ = 0;
+  std::uint64_t generation_ = 0;  // of the frame that was noticed last
+  Tool noticed_ = Tool::hand;
+  bool rests_ = false;        // after a jump: motion alone does nothing until a click or until the mouse left
   bool is_pressed_ = false;   // a stroke goes on
   bool is_pointing_ = false;  // the world's pointer is pressed
   sturnus::PointerMode mode_ = sturnus::PointerMode::attract;

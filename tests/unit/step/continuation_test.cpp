@@ -149,6 +149,24 @@ TEST(Branches, WhatNeverWasIsNotDoneAgain) {
   EXPECT_EQ(simulation.recording().run.events.size(), 1u);
 }
 
+TEST(Branches, AMomentBringsBackTheFutureThatItHad) {
+  Simulation simulation = start(small());
+  simulation.run(10);
+  const Snapshot at_10 = simulation.snapshot();
+  simulation.run(10);
+  must(simulation.push(EraseBoids{{0, 0}, 30}));
+  simulation.run(10);
+  const std::uint64_t end = simulation.hash();
+  simulation.restore(at_10);
+  const Snapshot with_future = simulation.snapshot();
+  must(simulation.push(set_to("flock.boids.max_speed", "2.5")));
+  simulation.run(20);
+  EXPECT_NE(simulation.hash(), end);
+  simulation.restore(with_future, Later::as_then);
+  simulation.run(20);
+  EXPECT_EQ(simulation.hash(), end);
+}
+
 TEST(Targets, TheirPlacesAreThoseOfTheStep) {
   ScenarioDef scenario = small();
   TargetDef target;
