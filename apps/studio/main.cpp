@@ -57,7 +57,7 @@ int show(const Words& words) {
   auto opened = studio::Studio::open(std::move(*simulation), options);
   if (!opened) return fail(opened.problems());
   studio::Studio& studio = **opened;
-  studio.desk().files.watch(*scenario);
+  studio.desk().files.watch(studio.desk(), *scenario);
   if (!words.script.empty()) {
     const sturnus::Status played = studio::play(studio, *script, {words.video});
     return played ? done : fail(played.problems());

@@ -80,6 +80,40 @@ TEST_F(StudioFiles, WhatCantBeSetBeginsTheWorldAnewAndUndoBringsTheOldOneBack) {
   EXPECT_EQ(desk().frame->boids.size(), 40u);
   EXPECT_EQ(desk().frame->step, step);
   EXPECT_EQ(hash(), before);
+  frames(until_looked);
+  EXPECT_EQ(hash(), before) << "the file undid the undo";
+}
+
+TEST_F(StudioFiles, UndoOfOpenWatchesTheFileBeforeAgain) {
+  open_world();
+  write("other.toml", with(small_world, "count = 40", "count = 25"));
+  drop(path("other.toml"));
+  ASSERT_EQ(desk().frame->boids.size(), 25u);
+  EXPECT_EQ(desk().files.watched(), path("other.toml"));
+  press(SDLK_z, KMOD_LCTRL);
+  frames(until_looked);
+  ASSERT_EQ(desk().frame->boids.size(), 40u);
+  EXPECT_EQ(desk().files.watched(), "world.toml");
+  write("other.toml", with(small_world, "weight = 0.01", "weight = 0.25"));
+  frames(until_looked);
+  EXPECT_EQ(scenario().flocks[0].cohesion[0].weight, 0.01) << "the other file changed";
+  write("world.toml", with(small_world, "weight = 0.01", "weight = 0.5"));
+  frames(until_looked);
+  EXPECT_EQ(scenario().flocks[0].cohesion[0].weight, 0.5);
+  press(SDLK_z, KMOD_LCTRL);
+  EXPECT_EQ(scenario().flocks[0].cohesion[0].weight, 0.01);
+}
+
+TEST_F(StudioFiles, AFileWithEventsThatDidNotChangeBeginsNothingAnew) {
+  const std::string text = std::string("[run]\nevents = [[5, \"erase\", [200, 150], 30]]\n");
+  write("world.toml", with(small_world, "[space]", text + "[space]"));
+  open("world.toml", 0);
+  frames(60);
+  const std::uint64_t generation = desk().frame->generation;
+  write("world.toml", with(read("world.toml"), "weight = 0.01", "weight = 0.5"));
+  frames(until_looked);
+  EXPECT_EQ(scenario().flocks[0].cohesion[0].weight, 0.5);
+  EXPECT_EQ(desk().frame->generation, generation);
 }
 
 TEST_F(StudioFiles, TheClipboardCarriesAScenarioThereAndBack) {

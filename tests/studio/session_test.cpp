@@ -262,6 +262,60 @@ TEST(StudioWorld, AnotherWorldCanBeUndone) {
   EXPECT_EQ(world.simulation().view().size(), 50u);
 }
 
+TEST(StudioWorld, WhatWasDoneBeforeARestartCanStillBeUndoneWithItsPast) {
+  Told told;
+  World& world = told.world;
+  for (const std::int64_t seed : {7, 8}) {
+    ASSERT_TRUE(world.restart(seed));
+    EXPECT_EQ(world.simulation().step_number(), 0u);
+    EXPECT_EQ(world.simulation().scenario().seed, seed);
+    run(world, 15);
+    ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 30}, "erase"));
+  }
+  world.replace(small_flock(20), "open");
+  run(world, 5);
+  for (int i = 0; i < 5; ++i) ASSERT_TRUE(world.undo());
+  told.expect_all();
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().step_number(), 30u);
+  EXPECT_EQ(world.simulation().view().size(), 208u);
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(world.redo());
+  EXPECT_EQ(world.simulation().view().size(), 20u);
+  EXPECT_EQ(world.last(), 5u);
+}
+
+TEST(StudioWorld, UndoKeepsWithinItsMemory) {
+  World world(small_flock(), 400'000);
+  for (int i = 0; i < 40; ++i) {
+    run(world, 20);
+    ASSERT_TRUE(world.restart(i));
+    ASSERT_TRUE(world.act(EraseBoids{{0, 0}, 30}, "erase"));
+  }
+  int undone = 0;
+  while (world.undo()) ++undone;
+  EXPECT_GT(undone, 1);
+  EXPECT_LT(undone, 40);
+}
+
+TEST(StudioWorld, StartingAgainAfterAnUndoneOpenPlaysItsOwnEvents) {
+  const auto flock_with = [](std::vector<sturnus::Event> events) {
+    auto scenario = sturnus::load_scenario("ucsd");
+    scenario->run.events = std::move(events);
+    return std::move(*sturnus::open_simulation(*scenario, 1));
+  };
+  const auto own = [&] { return flock_with({{5, EraseBoids{{0, 0}, 300}}}); };
+  World world(own(), plenty);
+  run(world, 3);
+  world.replace(flock_with({{4, AddBoids{"birds", 50, {100, 100}, 20}}}), "open");
+  run(world, 3);
+  ASSERT_TRUE(world.undo());
+  ASSERT_TRUE(world.restart(world.simulation().scenario().seed));
+  run(world, 20);
+  World untouched(own(), plenty);
+  run(untouched, 20);
+  EXPECT_EQ(world.simulation().hash(), untouched.simulation().hash());
+}
+
 TEST(StudioWorld, TrackingGoesRoundAndOnWhenTheBoidIsGone) {
   World world(small_flock(5), plenty);
   Frame frame;

@@ -71,7 +71,7 @@ class StudioTest : public InFolder {
     auto opened = Studio::open(std::move(*simulation), options);
     ASSERT_TRUE(opened) << opened.error();
     studio_ = std::move(*opened);
-    studio_->desk().files.watch(*def);
+    studio_->desk().files.watch(studio_->desk(), *def);
     frames(2);
   }
   void TearDown() override {

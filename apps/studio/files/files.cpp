@@ -30,23 +30,25 @@ std::optional<Files::Look> Files::look_at(const std::string& path) {
   return look;
 }
 
-void Files::watch(const ScenarioDef& scenario) {
-  look_ = look_at(scenario.file);
-  path_ = look_ ? scenario.file : "";
-  read_ = scenario;
-  if (!path_.empty()) remember_file(recent_list_path(), path_);
+void Files::watch(Desk& desk, const ScenarioDef& scenario) {
+  if (!look_at(scenario.file)) return;
+  remember_file(recent_list_path(), scenario.file);
+  desk.session.order([scenario](World& world) {
+    world.watch(scenario.file, scenario);
+    return sturnus::Status();
+  });
 }
 
 void Files::open(Desk& desk, const std::string& path) {
   const auto scenario = sturnus::load_scenario(path);
   if (!scenario) return desk.say(scenario.error(), true);
-  open_in(desk.session, *scenario, "open " + scenario->name);
-  watch(*scenario);
+  const bool is_file = look_at(scenario->file).has_value();
+  open_in(desk.session, *scenario, "open " + scenario->name, is_file ? Follows::its_own : Follows::none);
+  if (is_file) remember_file(recent_list_path(), scenario->file);
 }
 
 void Files::open(Desk& desk, const ScenarioDef& scenario) {
-  open_in(desk.session, scenario, "open " + scenario.name);
-  path_.clear();
+  open_in(desk.session, scenario, "open " + scenario.name, Follows::none);
 }
 
 void Files::drop(Desk& desk, const std::string& path) {
@@ -62,11 +64,21 @@ void Files::replace_boids(Desk& desk, const std::string& path) {
   scenario.run.first_step = 0;
   scenario.run.resumed = false;
   scenario.run.events.clear();
-  open_in(desk.session, scenario, "boids of " + file_name(path),
+  open_in(desk.session, scenario, "boids of " + file_name(path), Follows::as_before,
           "The boids are those of " + file_name(path) + ".");
 }
 
+// Opening, undoing and redoing change whose file it is. What was saved while another world was shown is read
+// now.
+void Files::follow(const Desk& desk) {
+  if (opened_ == desk.frame->opened && path_ == desk.frame->watched) return;
+  opened_ = desk.frame->opened;
+  path_ = desk.frame->watched;
+  look_.reset();
+}
+
 void Files::poll(Desk& desk) {
+  follow(desk);
   if (path_.empty() || desk.seconds < next_look_) return;
   next_look_ = desk.seconds + seconds_between_looks;
   const auto look = look_at(path_);
@@ -75,8 +87,7 @@ void Files::poll(Desk& desk) {
   look_ = look;
   const auto scenario = sturnus::load_scenario(path_);
   if (!scenario) return desk.say(scenario.error(), true);
-  reload_in(desk.session, read_, *scenario);
-  read_ = *scenario;
+  reload_in(desk.session, path_, *scenario);
 }
 
 void Files::copy(Desk& desk) const {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,15 +15,15 @@ struct Desk;
 
 class Files {
  public:
-  /// Watches a file that the world was made of.
-  void watch(const sturnus::ScenarioDef& scenario);
+  /// Watches the file that the world was made of.
+  void watch(Desk& desk, const sturnus::ScenarioDef& scenario);
   /// Opens a scenario's file in place of the world, or says what is wrong with it.
   void open(Desk& desk, const std::string& path);
   /// Opens a scenario that is no file of its own.
   void open(Desk& desk, const sturnus::ScenarioDef& scenario);
   /// A file that was dropped on the window: a scenario, or a state whose boids replace those that are there.
   void drop(Desk& desk, const std::string& path);
-  /// Looks twice a second whether the watched file changed.
+  /// Looks twice a second whether the file that the world follows has changed.
   void poll(Desk& desk);
   const std::string& watched() const { return path_; }
 
@@ -43,9 +44,10 @@ class Files {
   };
   static std::optional<Look> look_at(const std::string& path);
   void replace_boids(Desk& desk, const std::string& path);
+  void follow(const Desk& desk);
 
-  std::string path_;           ///< empty: nothing is watched
-  sturnus::ScenarioDef read_;  ///< as the file was read last
+  std::string path_;                                    ///< the world's file; empty: nothing is watched
+  std::shared_ptr<const sturnus::ScenarioDef> opened_;  ///< of the world that is shown
   std::optional<Look> look_;
   double next_look_ = 0;  ///< seconds since the start
 };

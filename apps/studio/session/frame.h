@@ -73,6 +73,7 @@ struct Frame {
   sturnus::Extent extent;                                ///< of the space
   std::shared_ptr<const sturnus::ScenarioDef> scenario;  ///< as it stands
   std::shared_ptr<const sturnus::ScenarioDef> opened;  ///< as it was opened; another one: another was opened
+  std::string watched;                                 ///< the file whose changes the world follows; or empty
   std::vector<std::size_t> population;                 ///< by flock
   std::vector<std::array<std::array<float, 3>, 2>> index_boxes;  ///< cells or leaves; only when asked for
   std::optional<sturnus::Explanation> explained;                 ///< of the boid that is tracked

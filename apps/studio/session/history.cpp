@@ -52,6 +52,12 @@ void History::cut(std::uint64_t step) {
   }
 }
 
+void History::shrink(std::size_t bytes) {
+  const std::uint64_t every = every_;
+  while (bytes_ > bytes && moments_.size() > 1) thin();
+  every_ = every;
+}
+
 const sturnus::Snapshot& History::before(std::uint64_t step) const {
   const auto after = std::upper_bound(
       moments_.begin(), moments_.end(), step,

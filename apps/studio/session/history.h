@@ -21,6 +21,8 @@ class History {
   void amend(const sturnus::Simulation& simulation);
   /// Forgets what lies after a step: another future begins.
   void cut(std::uint64_t step);
+  /// Keeps every second moment until they fit into so much memory, bytes.
+  void shrink(std::size_t bytes);
 
   /// The latest moment that is not after a step (or the first).
   const sturnus::Snapshot& before(std::uint64_t step) const;

@@ -17,15 +17,17 @@ std::string count_of(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " change is" : " changes are");
 }
 
-Status replace(World& world, const ScenarioDef& scenario, const std::string& label) {
+Status replace(World& world, const ScenarioDef& scenario, const std::string& label,
+               const std::string& watched) {
   auto simulation = sturnus::open_simulation(scenario, world.simulation().threads());
   if (!simulation) return simulation.problems();
-  world.replace(std::move(*simulation), label);
+  world.replace(std::move(*simulation), label, watched);
   return {};
 }
 
 Status begin_anew(Session& session, World& world, const ScenarioDef& scenario, const std::string& reason) {
-  const Status status = replace(world, scenario, "reload " + scenario.name);
+  const std::string file = world.watched();
+  const Status status = replace(world, scenario, "reload " + scenario.name, file);
   if (status)
     session.note(
         {scenario.file + ": " + reason + ", so the world began anew. Undo brings the old one back."});
@@ -39,20 +41,24 @@ std::string without_end(std::string text) {
 
 }  // namespace
 
-void open_in(Session& session, const ScenarioDef& scenario, const std::string& label,
+void open_in(Session& session, const ScenarioDef& scenario, const std::string& label, Follows follows,
              const std::string& told) {
-  session.order([&session, scenario, label, told](World& world) {
-    const Status status = replace(world, scenario, label);
+  session.order([&session, scenario, label, follows, told](World& world) {
+    const std::string before = world.watched();
+    const std::string file = follows == Follows::its_own ? scenario.file : "";
+    const ScenarioDef read = follows == Follows::as_before && !before.empty() ? world.read() : scenario;
+    const Status status = replace(world, scenario, label, follows == Follows::as_before ? before : file);
+    if (status) world.set_read(read);
     if (status && !told.empty()) session.note({told});
     return status;
   });
 }
 
-void reload_in(Session& session, const ScenarioDef& before, const ScenarioDef& after) {
-  session.order([&session, before, after](World& world) -> Status {
-    if (world.simulation().scenario().file != after.file)
-      return begin_anew(session, world, after, "another world was running");
-    const Differences found = differences(before, after);
+void reload_in(Session& session, const std::string& file, const ScenarioDef& after) {
+  session.order([&session, file, after](World& world) -> Status {
+    if (world.watched() != file) return {};  // another world was opened meanwhile
+    const Differences found = differences(world.read(), after);
+    world.set_read(after);  // also for the world that is set aside: undo is not undone by its file
     if (!found.is_all) return begin_anew(session, world, after, "what changed is more than numbers");
     if (const Status status = set_all(world, found.set); !status)
       return begin_anew(session, world, after, without_end(status.problems().front().text));

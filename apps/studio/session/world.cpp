@@ -20,25 +20,22 @@ using sturnus::Status;
 
 // A quarter of the history's memory is for the moments before deeds.
 constexpr std::size_t deeds_share = 4;
+// And this part of it for the past of each world that was set aside.
+constexpr std::size_t aside_share = 32;
 
 }  // namespace
 
 World::World(Simulation simulation, std::size_t history_bytes)
-    : simulation_(std::move(simulation)), history_bytes_(history_bytes), history_(history_bytes) {
-  history_.start(simulation_);
-  last_ = simulation_.step_number();
-  events_ = simulation_.recording().run.events;
-  opened_ = std::make_shared<const sturnus::ScenarioDef>(simulation_.scenario());
-}
+    : history_bytes_(history_bytes), now_(std::move(simulation), history_bytes) {}
 
 void World::step() {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  simulation_.step();
+  now_.simulation.step();
   step_seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
-  last_ = std::max(last_, simulation_.step_number());
+  now_.last = std::max(now_.last, now_.simulation.step_number());
   scenario_ = nullptr;
-  history_.follow(simulation_);
+  now_.history.follow(now_.simulation);
 }
 
 Status World::act(const Command& command, const std::string& label, std::uint64_t gesture) {
@@ -48,11 +45,11 @@ Status World::act(const Command& command, const std::string& label, std::uint64_
   Deed deed;
   deed.label = label;
   deed.gesture = gesture;
-  deed.step = simulation_.step_number();
+  deed.step = now_.simulation.step_number();
   if (is_new && (!change || was_past)) keep_moment(deed);
-  if (const Status status = simulation_.push(command); !status) return status;
+  if (const Status status = now_.simulation.push(command); !status) return status;
   if (was_past && !std::holds_alternative<sturnus::MovePointer>(command)) let_go();
-  begin_future(simulation_.step_number());
+  begin_future(now_.simulation.step_number());
   if (is_new) remember(std::move(deed));
   if (!label.empty() && change) add(*change, undo_.back());
   return {};
@@ -62,31 +59,31 @@ Status World::act(const Command& command, const std::string& label, std::uint64_
 void World::begin_future(std::uint64_t step) {
   scenario_ = nullptr;
   way_to_.reset();
-  last_ = simulation_.step_number();
-  history_.cut(step);
-  history_.amend(simulation_);
+  now_.last = now_.simulation.step_number();
+  now_.history.cut(step);
+  now_.history.amend(now_.simulation);
 }
 
 // A hand that held the pointer in what is now the past holds it no longer.
 void World::let_go() {
-  if (!simulation_.view().state().pointer.pressed) return;
-  const auto done = done_by_hand(simulation_.recording().run.events, events_);
+  if (!now_.simulation.view().state().pointer.pressed) return;
+  const auto done = done_by_hand(now_.simulation.recording().run.events, now_.events);
   const auto held = std::find_if(done.rbegin(), done.rend(), [&](const sturnus::Event& event) {
-    return event.step <= simulation_.step_number() &&
+    return event.step <= now_.simulation.step_number() &&
            std::holds_alternative<sturnus::MovePointer>(event.command);
   });
   if (held == done.rend()) return;
   sturnus::MovePointer off = std::get<sturnus::MovePointer>(held->command);
   off.pressed = false;
   off.along.clear();
-  static_cast<void>(simulation_.push(off));
+  static_cast<void>(now_.simulation.push(off));
 }
 
 // What a command does to a parameter that has a value which can be put back.
 std::optional<World::Change> World::change_of(const Command& command) const {
   const auto* set = std::get_if<SetParameter>(&command);
   if (set == nullptr) return {};
-  const auto before = sturnus::get_parameter(simulation_.scenario(), set->path);
+  const auto before = sturnus::get_parameter(now_.simulation.scenario(), set->path);
   if (!before || before->empty()) return {};
   return Change{set->path, *before, set->value};
 }
@@ -114,27 +111,30 @@ void World::remember(Deed deed) {
 }
 
 std::size_t World::bytes_of_deeds() const {
-  const std::size_t moment = size_of(simulation_.view().state());
+  const std::size_t moment = size_of(now_.simulation.view().state());
   std::size_t bytes = 0;
-  for (const Deed& deed : undo_) bytes += deed.moment || deed.other ? moment : 0;
+  for (const Deed& deed : undo_) {
+    bytes += deed.moment ? moment : 0;
+    if (deed.other) bytes += deed.other->history.bytes() + size_of(deed.other->simulation.view().state());
+  }
   return bytes;
 }
 
 void World::keep_moment(Deed& deed) const {
-  deed.moment = simulation_.snapshot();
-  deed.last = last_;
+  deed.moment = now_.simulation.snapshot();
+  deed.last = now_.last;
 }
 
 // Every parameter of a deed, the last one first. A deed that lies ahead is taken back where it was done.
 bool World::put_back(const Deed& deed, Deed& back) {
   const bool was_past = is_past();
   if (was_past) keep_moment(back);
-  while (simulation_.step_number() < deed.step && !go_to(deed.step)) {
+  while (now_.simulation.step_number() < deed.step && !go_to(deed.step)) {
   }
-  back.step = simulation_.step_number();
+  back.step = now_.simulation.step_number();
   bool all = true;
   for (auto change = deed.changes.rbegin(); change != deed.changes.rend(); ++change) {
-    all = static_cast<bool>(simulation_.push(SetParameter{change->path, change->before})) && all;
+    all = static_cast<bool>(now_.simulation.push(SetParameter{change->path, change->before})) && all;
     if (!was_past) back.changes.push_back({change->path, change->after, change->before});
   }
   begin_future(back.step);
@@ -145,11 +145,11 @@ bool World::put_back(const Deed& deed, Deed& back) {
 void World::go_back(const Deed& deed, Deed& back) {
   keep_moment(back);
   back.step = deed.step;
-  simulation_.restore(*deed.moment, sturnus::Later::as_then);
-  if (simulation_.step_number() == deed.last) let_go();
-  if (simulation_.step_number() < history_.first()) history_.start(simulation_);
+  now_.simulation.restore(*deed.moment, sturnus::Later::as_then);
+  if (now_.simulation.step_number() == deed.last) let_go();
+  if (now_.simulation.step_number() < now_.history.first()) now_.history.start(now_.simulation);
   begin_future(deed.step > 0 ? deed.step - 1 : 0);
-  last_ = std::max(last_, deed.last);
+  now_.last = std::max(now_.last, deed.last);
   jumped();
 }
 
@@ -161,12 +161,7 @@ bool World::take_back(std::vector<Deed>& from, std::vector<Deed>& to) {
   Deed back;
   back.label = deed.label;
   if (deed.other) {
-    back.other = std::make_shared<Simulation>(std::move(simulation_));
-    back.opened = std::exchange(opened_, deed.opened);
-    simulation_ = std::move(*deed.other);
-    history_.start(simulation_);
-    last_ = simulation_.step_number();
-    jumped();
+    back.other = set_aside(std::move(*deed.other));
   } else if (deed.moment) {
     go_back(deed, back);
   } else if (!put_back(deed, back)) {
@@ -184,56 +179,66 @@ void World::jumped() {
 }
 
 bool World::go_to(std::uint64_t step) {
-  const std::uint64_t wanted = std::clamp(step, history_.first(), std::max(history_.first(), last_));
+  const std::uint64_t wanted =
+      std::clamp(step, now_.history.first(), std::max(now_.history.first(), now_.last));
   if (way_to_ != wanted) {
-    const std::uint64_t now = simulation_.step_number();
-    const sturnus::Snapshot& moment = history_.before(wanted);
-    if (wanted < now || moment.step() > now) simulation_.restore(moment);
+    const std::uint64_t now = now_.simulation.step_number();
+    const sturnus::Snapshot& moment = now_.history.before(wanted);
+    if (wanted < now || moment.step() > now) now_.simulation.restore(moment);
     jumped();
     way_to_ = wanted;
   }
-  if (simulation_.step_number() < wanted) simulation_.step();
+  if (now_.simulation.step_number() < wanted) now_.simulation.step();
   scenario_ = nullptr;
-  if (simulation_.step_number() < wanted) return false;
+  if (now_.simulation.step_number() < wanted) return false;
   way_to_.reset();
   return true;
 }
 
-void World::replace(Simulation simulation, const std::string& label) {
+// A world that is set aside keeps some of its past.
+std::shared_ptr<Timeline> World::set_aside(Timeline next) {
+  auto old = std::make_shared<Timeline>(std::move(now_));
+  now_ = std::move(next);
+  old->history.shrink(history_bytes_ / aside_share);
+  jumped();
+  return old;
+}
+
+void World::replace(Simulation simulation, const std::string& label, const std::string& watched) {
   Deed deed;
   deed.label = label;
-  deed.step = simulation_.step_number();
-  deed.other = std::make_shared<Simulation>(std::move(simulation_));
-  deed.opened = opened_;
-  simulation_ = std::move(simulation);
-  opened_ = std::make_shared<const sturnus::ScenarioDef>(simulation_.scenario());
-  undo_.clear();
-  redo_.clear();
-  undo_.push_back(std::move(deed));
-  history_.start(simulation_);
-  last_ = simulation_.step_number();
-  events_ = simulation_.recording().run.events;
-  tracked_.reset();
-  jumped();
+  deed.other = set_aside(Timeline(std::move(simulation), history_bytes_));
+  now_.watched = watched;
+  remember(std::move(deed));
+}
+
+void World::watch(const std::string& file, const sturnus::ScenarioDef& read) {
+  now_.watched = file;
+  set_read(read);
+}
+
+void World::set_read(const sturnus::ScenarioDef& read) {
+  now_.read = std::make_shared<const sturnus::ScenarioDef>(read);
 }
 
 Status World::restart(std::int64_t seed) {
-  sturnus::ScenarioDef scenario = simulation_.scenario();
+  sturnus::ScenarioDef scenario = now_.simulation.scenario();
   scenario.seed = seed;
-  scenario.run.events = events_;
-  auto fresh = sturnus::open_simulation(scenario, simulation_.threads());
+  scenario.run.events = now_.events;
+  auto fresh = sturnus::open_simulation(scenario, now_.simulation.threads());
   if (!fresh) return fresh.problems();
-  const auto opened = opened_;  // starting again opens nothing new
-  replace(std::move(*fresh), "restart");
-  opened_ = opened;
+  const auto opened = now_.opened, read = now_.read;  // starting again opens nothing new
+  replace(std::move(*fresh), "restart", now_.watched);
+  now_.opened = opened;
+  now_.read = read;
   return {};
 }
 
 void World::track_next(int direction) {
-  const sturnus::View view = simulation_.view();
+  const sturnus::View view = now_.simulation.view();
   const std::vector<std::uint32_t> slots = view.slots_by_id();
-  if (slots.empty()) return tracked_.reset();
-  const std::uint64_t id = tracked_.value_or(0);
+  if (slots.empty()) return now_.tracked.reset();
+  const std::uint64_t id = now_.tracked.value_or(0);
   const auto at =
       std::lower_bound(slots.begin(), slots.end(), id,
                        [&](std::uint32_t slot, std::uint64_t value) { return view.id(slot) < value; });
@@ -241,40 +246,41 @@ void World::track_next(int direction) {
   const auto count = static_cast<std::ptrdiff_t>(slots.size());
   const bool is_there = at != slots.end() && view.id(*at) == id;
   if (direction < 0 || is_there) place += direction;
-  tracked_ = view.id(slots[static_cast<std::size_t>((place % count + count) % count)]);
+  now_.tracked = view.id(slots[static_cast<std::size_t>((place % count + count) % count)]);
 }
 
 void World::keep_tracked() {
-  if (tracked_ && !simulation_.view().slot(*tracked_)) track_next(1);
+  if (now_.tracked && !now_.simulation.view().slot(*now_.tracked)) track_next(1);
 }
 
 void World::show(Frame& frame) {
-  if (!scenario_) scenario_ = std::make_shared<const sturnus::ScenarioDef>(simulation_.scenario());
+  if (!scenario_) scenario_ = std::make_shared<const sturnus::ScenarioDef>(now_.simulation.scenario());
   keep_tracked();
-  pack(simulation_, frame);
+  pack(now_.simulation, frame);
   frame.generation = generation_;
   frame.scenario = scenario_;
-  frame.opened = opened_;
+  frame.opened = now_.opened;
+  frame.watched = now_.watched;
   frame.step_seconds = step_seconds_;
-  frame.reach = {history_.first(), last_, undo_.empty() ? "" : undo_.back().label,
+  frame.reach = {now_.history.first(), now_.last, undo_.empty() ? "" : undo_.back().label,
                  redo_.empty() ? "" : redo_.back().label};
   frame.tracked.reset();
   frame.explained.reset();
-  if (tracked_) {
-    if (auto told = simulation_.explain(*tracked_)) frame.explained = std::move(*told);
-    if (const auto slot = simulation_.view().slot(*tracked_)) frame.tracked = *slot;
+  if (now_.tracked) {
+    if (auto told = now_.simulation.explain(*now_.tracked)) frame.explained = std::move(*told);
+    if (const auto slot = now_.simulation.view().slot(*now_.tracked)) frame.tracked = *slot;
   }
   frame.index_boxes.clear();
-  if (wishes_.index) frame.index_boxes = simulation_.index_boxes();
+  if (wishes_.index) frame.index_boxes = now_.simulation.index_boxes();
   if (!wishes_.neighbours) return;
-  const std::vector<std::uint32_t> counts = sturnus::neighbour_counts(simulation_.view());
+  const std::vector<std::uint32_t> counts = sturnus::neighbour_counts(now_.simulation.view());
   for (std::size_t slot = 0; slot < counts.size(); ++slot)
     frame.boids[slot].crowd = static_cast<std::uint8_t>(std::min(counts[slot], 255u));
 }
 
 Sample World::sample(double link) const {
   Sample sample;
-  const sturnus::View view = simulation_.view();
+  const sturnus::View view = now_.simulation.view();
   sample.generation = generation_;
   sample.measures = sturnus::measure(view, link);
   sample.population.assign(view.scenario().flocks.size(), 0);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "session/frame.h"
-#include "session/history.h"
+#include "session/timeline.h"
 
 namespace studio {
 
@@ -47,18 +47,26 @@ class World {
   bool undo() { return take_back(undo_, redo_); }
   bool redo() { return take_back(redo_, undo_); }
   /// Whether later steps were seen: whatever is done now begins another future.
-  bool is_past() const { return simulation_.step_number() < last_; }
+  bool is_past() const { return now_.simulation.step_number() < now_.last; }
 
   /// Goes to a step of the past or of the future that was seen before; later commands are done again on the
   /// way. Long ways take many calls: true when there.
   bool go_to(std::uint64_t step);
-  /// Another simulation in place of this one, which `undo` brings back.
-  void replace(sturnus::Simulation simulation, const std::string& label);
+  /// Another simulation in place of this one, which `undo` brings back with its past. The world then follows
+  /// the file `watched`, or none.
+  void replace(sturnus::Simulation simulation, const std::string& label, const std::string& watched = "");
   /// The scenario as it stands, parameters that were changed included, from its start.
   sturnus::Status restart(std::int64_t seed);
 
+  /// Follows a file of which the world was made.
+  void watch(const std::string& file, const sturnus::ScenarioDef& read);
+  const std::string& watched() const { return now_.watched; }
+  /// The watched file as it was read last.
+  const sturnus::ScenarioDef& read() const { return *now_.read; }
+  void set_read(const sturnus::ScenarioDef& read);
+
   /// Whom to follow; nobody: a number that no boid has. When it dies another one is taken.
-  void track(std::optional<std::uint64_t> id) { tracked_ = id; }
+  void track(std::optional<std::uint64_t> id) { now_.tracked = id; }
   /// The next boid by id, or the one before (direction -1).
   void track_next(int direction);
   void wish(const Wishes& wishes) { wishes_ = wishes; }
@@ -67,10 +75,10 @@ class World {
   void show(Frame& frame);
   Sample sample(double link = 0) const;
 
-  const sturnus::Simulation& simulation() const { return simulation_; }
+  const sturnus::Simulation& simulation() const { return now_.simulation; }
   std::uint64_t generation() const { return generation_; }
-  std::uint64_t last() const { return last_; }
-  const History& history() const { return history_; }
+  std::uint64_t last() const { return now_.last; }
+  const History& history() const { return now_.history; }
 
  private:
   struct Change {
@@ -79,12 +87,11 @@ class World {
   struct Deed {
     std::string label;
     std::uint64_t gesture = 0;
-    std::uint64_t step = 0;                      ///< at which it was done: before, both futures are the same
-    std::vector<Change> changes;                 ///< of parameters, in their order; or there is
-    std::optional<sturnus::Snapshot> moment;     ///< the world before it (undo) or after it (redo)
-    std::uint64_t last = 0;                      ///< of the moment: the last step that was seen then
-    std::shared_ptr<sturnus::Simulation> other;  ///< or another world
-    std::shared_ptr<const sturnus::ScenarioDef> opened;  ///< and its scenario as it was opened
+    std::uint64_t step = 0;                   ///< at which it was done: before, both futures are the same
+    std::vector<Change> changes;              ///< of parameters, in their order; or there is
+    std::optional<sturnus::Snapshot> moment;  ///< the world before it (undo) or after it (redo)
+    std::uint64_t last = 0;                   ///< of the moment: the last step that was seen then
+    std::shared_ptr<Timeline> other;          ///< or another world
   };
   std::optional<Change> change_of(const sturnus::Command& command) const;
   bool goes_on(bool is_change, std::uint64_t gesture) const;
@@ -92,6 +99,7 @@ class World {
   void keep_moment(Deed& deed) const;
   bool put_back(const Deed& deed, Deed& back);
   void go_back(const Deed& deed, Deed& back);
+  std::shared_ptr<Timeline> set_aside(Timeline next);
   void begin_future(std::uint64_t step);
   void let_go();
   void remember(Deed deed);
@@ -100,17 +108,12 @@ class World {
   void keep_tracked();
   std::size_t bytes_of_deeds() const;
 
-  sturnus::Simulation simulation_;
   std::size_t history_bytes_;
-  History history_;
+  Timeline now_;
   std::vector<Deed> undo_, redo_;
   std::shared_ptr<const sturnus::ScenarioDef> scenario_;  ///< a copy for frames; null after a change
-  std::shared_ptr<const sturnus::ScenarioDef> opened_;    ///< as it was when it was opened
-  std::optional<std::uint64_t> tracked_;
   Wishes wishes_;
-  std::vector<sturnus::Event> events_;  ///< of the scenario as it was opened
   std::uint64_t generation_ = 1;
-  std::uint64_t last_ = 0;
   std::optional<std::uint64_t> way_to_;  ///< a step that `go_to` has not reached yet
   double step_seconds_ = 0;
 };
