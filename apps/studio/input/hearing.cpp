@@ -15,6 +15,11 @@ bool is_command(const SDL_Keysym& key) {
   return (key.mod & (KMOD_CTRL | KMOD_GUI)) != 0;
 }
 
+// While the right button is held these are no shortcuts, whether Shift is still down or not.
+bool is_for_flight(SDL_Keycode key) {
+  return key == SDLK_w || key == SDLK_a || key == SDLK_s || key == SDLK_d || key == SDLK_q || key == SDLK_e;
+}
+
 }  // namespace
 
 void Studio::hear(const SDL_Event& event) {
@@ -93,8 +98,7 @@ void Studio::hear_command_key(const SDL_Keysym& key) {
 }
 
 void Studio::hear_plain_key(const SDL_Keysym& key) {
-  const bool flies = drag_ == Drag::look && (key.mod & KMOD_SHIFT) != 0;
-  if (flies) return;
+  if (drag_ == Drag::look && is_for_flight(key.sym)) return;
   for (const ToolInfo& info : tool_list()) {
     if (info.tool != Tool::scatter && key.sym == info.key) desk_.tools.tool = info.tool;
   }
@@ -205,7 +209,7 @@ void Studio::hear_wheel(const SDL_MouseWheelEvent& wheel) {
 
 // W, A, S, D while Shift and the right button are held.
 void Studio::fly(double seconds) {
-  if (drag_ != Drag::look) return;
+  if (drag_ != Drag::look || (SDL_GetModState() & KMOD_SHIFT) == 0) return;
   const auto& down = ImGui::GetIO().KeysDown;
   const auto axis = [&](SDL_Scancode back, SDL_Scancode on) {
     return (static_cast<float>(down[on]) - static_cast<float>(down[back])) * flight_per_second *
