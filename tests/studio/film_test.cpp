@@ -106,6 +106,12 @@ TEST(StudioScript, KeysHaveNamesAndModifiers) {
 
 class StudioProgram : public InFolder {};
 
+TEST_F(StudioProgram, AScriptsFirstClickFindsItsPlace) {
+  write("visit.txt", "click legend.fold\nwait 3\nclick legend.eraser\n");
+  EXPECT_SAYS(output_of(STURNUS_STUDIO " ucsd --threads 1 --script visit.txt 2>&1"),
+              "visit.txt:3: there is no \"legend.eraser\"");
+}
+
 TEST_F(StudioProgram, BadInputIsRefusedInSentences) {
   EXPECT_SAYS(output_of(STURNUS_STUDIO " murmurration 2>&1; echo $?"), "did you mean \"murmuration\"?\n2");
   EXPECT_SAYS(output_of(STURNUS_STUDIO " --video a.mp4 2>&1; echo $?"), "--script FILE");

@@ -1,13 +1,43 @@
 // Frames of a script until its end.
 #include "script/play.h"
 
+#include <algorithm>
+
 #include "script/player.h"
 
 namespace studio {
+namespace {
+
+constexpr int most_frames = 12;
+
+bool is_same(const std::map<std::string, Box>& one, const std::map<std::string, Box>& other) {
+  const auto same_box = [](const auto& a, const auto& b) {
+    return a.first == b.first && a.second.x == b.second.x && a.second.y == b.second.y &&
+           a.second.width == b.second.width && a.second.height == b.second.height;
+  };
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), same_box);
+}
+
+// Panels know their size when they have been shown once: until they stand still there is nothing to point at.
+// The world waits for them.
+void settle_panels(Studio& studio) {
+  Desk& desk = studio.desk();
+  const bool plays = desk.playback.is_playing();
+  desk.playback.play(false);
+  std::map<std::string, Box> before;
+  studio.frame();
+  for (int i = 0; i < most_frames && (i == 0 || !is_same(before, desk.items)); ++i) {
+    before = desk.items;
+    studio.frame();
+  }
+  desk.playback.play(plays);
+}
+
+}  // namespace
 
 sturnus::Status play(Studio& studio, const Script& script, const PlayOptions& options) {
   Desk& desk = studio.desk();
-  studio.frame();  // so that there are places to point at
+  settle_panels(studio);
   Player player(script, studio);
   if (!options.video.empty()) {
     FilmOptions film;
