@@ -111,6 +111,8 @@ void Studio::serve(double seconds) {
   if (titled_ != desk_.scenario().name)
     window_.set_title((titled_ = desk_.scenario().name) + " \u2013 Sturnus");
   for (Note& note : session_.take_notes()) desk_.say(std::move(note.text), note.is_problem);
+  for (const auto& what : session_.take_handed_back()) what(desk_);
+  desk_.is_tracking = desk_.frame->tracked.has_value();
   if (!same(fitted_, desk_.frame->extent)) {
     resize_camera();
     fit_camera();
@@ -248,15 +250,11 @@ void Studio::tell_of_film() {
 }
 
 void Studio::toggle_tracking() {
-  desk_.is_tracking = !desk_.is_tracking;
-  const bool on = desk_.is_tracking;
-  session_.order([on](World& world) -> sturnus::Status {
+  session_.order([](World& world) {
+    const bool was_on = world.is_tracking();
     world.track({});
-    if (!on || world.simulation().view().size() == 0) return {};
-    const std::uint64_t step = world.simulation().step_number();
-    const sturnus::View view = world.simulation().view();
-    world.track(view.id((step * 2654435761u + 12345u) % view.size()));
-    return {};
+    if (!was_on) world.track_any();
+    return sturnus::Status();
   });
 }
 

@@ -70,8 +70,9 @@ void Files::replace_boids(Desk& desk, const std::string& path) {
 
 // Opening, undoing and redoing change whose file it is. What was saved while another world was shown is read
 // now.
-void Files::follow(const Desk& desk) {
+void Files::follow(Desk& desk) {
   if (opened_ == desk.frame->opened && path_ == desk.frame->watched) return;
+  desk.unsay(path_);
   opened_ = desk.frame->opened;
   path_ = desk.frame->watched;
   look_.reset();
@@ -86,15 +87,21 @@ void Files::poll(Desk& desk) {
   if (!look || look == look_ || is_half_written) return;
   look_ = look;
   const auto scenario = sturnus::load_scenario(path_);
-  if (!scenario) return desk.say(scenario.error(), true);
+  if (!scenario) return desk.keep_saying(path_, scenario.error());
+  desk.unsay(path_);
   reload_in(desk.session, path_, *scenario);
 }
 
 void Files::copy(Desk& desk) const {
-  const bool copied = SDL_SetClipboardText(to_toml(with_whole_paths(desk.scenario())).c_str()) == 0;
-  desk.say(copied ? "The scenario is in the clipboard."
-                  : std::string("The clipboard takes nothing: ") + SDL_GetError(),
-           !copied);
+  desk.session.order([&session = desk.session](World& world) {
+    session.hand_back([text = to_toml(with_whole_paths(world.arranged()))](Desk& asked) {
+      const bool copied = SDL_SetClipboardText(text.c_str()) == 0;
+      asked.say(copied ? "The scenario is in the clipboard."
+                       : std::string("The clipboard takes nothing: ") + SDL_GetError(),
+                !copied);
+    });
+    return sturnus::Status();
+  });
 }
 
 void Files::paste(Desk& desk) {

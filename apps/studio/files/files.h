@@ -27,10 +27,12 @@ class Files {
   void poll(Desk& desk);
   const std::string& watched() const { return path_; }
 
+  /// The scenario with all that was placed and set, as text in the clipboard.
   void copy(Desk& desk) const;
   void paste(Desk& desk);
 
-  /// Each writes a file of its own; an empty name: one is made of the scenario's name and the step.
+  /// Each writes a file of its own; an empty name: one is made of the scenario's name and the step. What is
+  /// placed and set belongs to the scenario, whatever else was done to the session alone.
   void save_scenario(Desk& desk, const std::string& name = "") const;
   void save_session(Desk& desk, const std::string& name = "") const;
   void save_state(Desk& desk, const std::string& name = "") const;
@@ -44,7 +46,7 @@ class Files {
   };
   static std::optional<Look> look_at(const std::string& path);
   void replace_boids(Desk& desk, const std::string& path);
-  void follow(const Desk& desk);
+  void follow(Desk& desk);
 
   std::string path_;                                    ///< the world's file; empty: nothing is watched
   std::shared_ptr<const sturnus::ScenarioDef> opened_;  ///< of the world that is shown

@@ -26,6 +26,9 @@ class History {
 
   /// The latest moment that is not after a step (or the first).
   const sturnus::Snapshot& before(std::uint64_t step) const;
+  /// The moment with which it starts, and another in its place: of another future that begins there.
+  const sturnus::Snapshot& front() const { return moments_.front().snapshot; }
+  void set_front(const sturnus::Snapshot& moment) { moments_.front().snapshot = moment; }
   std::uint64_t first() const { return moments_.front().snapshot.step(); }
   std::size_t bytes() const { return bytes_; }
   std::size_t size() const { return moments_.size(); }

@@ -3,8 +3,7 @@
 
 #include <sturnus/files.h>
 
-#include <filesystem>
-
+#include "desk.h"
 #include "session/differences.h"
 
 namespace studio {
@@ -28,10 +27,12 @@ Status replace(World& world, const ScenarioDef& scenario, const std::string& lab
 Status begin_anew(Session& session, World& world, const ScenarioDef& scenario, const std::string& reason) {
   const std::string file = world.watched();
   const Status status = replace(world, scenario, "reload " + scenario.name, file);
-  if (status)
-    session.note(
-        {scenario.file + ": " + reason + ", so the world began anew. Undo brings the old one back."});
-  return status;
+  if (!status) {
+    session.hand_back([file, text = status.error()](Desk& desk) { desk.keep_saying(file, text); });
+    return {};
+  }
+  session.note({scenario.file + ": " + reason + ", so the world began anew. Undo brings the old one back."});
+  return {};
 }
 
 std::string without_end(std::string text) {
@@ -60,21 +61,11 @@ void reload_in(Session& session, const std::string& file, const ScenarioDef& aft
     const Differences found = differences(world.read(), after);
     world.set_read(after);  // also for the world that is set aside: undo is not undone by its file
     if (!found.is_all) return begin_anew(session, world, after, "what changed is more than numbers");
-    if (const Status status = set_all(world, found.set); !status)
+    if (const Status status = set_all(world, found.set, "reload " + after.name); !status)
       return begin_anew(session, world, after, without_end(status.problems().front().text));
     if (!found.set.empty()) session.note({after.file + ": " + count_of(found.set.size()) + " in force."});
     return {};
   });
-}
-
-ScenarioDef with_whole_paths(ScenarioDef scenario) {
-  const std::filesystem::path folder = std::filesystem::path(scenario.file).parent_path();
-  const auto make_whole = [&](std::string& path) {
-    if (!path.empty()) path = std::filesystem::absolute(folder / path).lexically_normal().string();
-  };
-  make_whole(scenario.run.initial);
-  for (sturnus::FlockDef& flock : scenario.flocks) make_whole(flock.start.file);
-  return scenario;
 }
 
 }  // namespace studio

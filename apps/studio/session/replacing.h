@@ -19,7 +19,4 @@ void open_in(Session& session, const sturnus::ScenarioDef& scenario, const std::
 /// else begins it anew.
 void reload_in(Session& session, const std::string& file, const sturnus::ScenarioDef& after);
 
-/// The scenario with paths that do not depend on where it stands.
-sturnus::ScenarioDef with_whole_paths(sturnus::ScenarioDef scenario);
-
 }  // namespace studio

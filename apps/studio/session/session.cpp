@@ -83,6 +83,16 @@ void Session::note(Note note) {
   notes_.push_back(std::move(note));
 }
 
+void Session::hand_back(std::function<void(Desk&)> what) {
+  const std::lock_guard lock(mutex_);
+  handed_back_.push_back(std::move(what));
+}
+
+std::vector<std::function<void(Desk&)>> Session::take_handed_back() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(handed_back_, {});
+}
+
 void Session::settle() {
   std::unique_lock lock(mutex_);
   is_taken_ = true;

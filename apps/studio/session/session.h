@@ -14,6 +14,8 @@
 
 namespace studio {
 
+struct Desk;
+
 /// What a person has to be told.
 struct Note {
   std::string text;  ///< sentences
@@ -48,6 +50,9 @@ class Session {
   std::vector<Sample> take_samples();
   std::vector<Note> take_notes();
   void note(Note note);
+  /// What an order wants to have done on the window's thread, and all of that since the last call.
+  void hand_back(std::function<void(Desk&)> what);
+  std::vector<std::function<void(Desk&)>> take_handed_back();
   /// Waits until everything ordered is done and shown.
   void settle();
 
@@ -78,6 +83,7 @@ class Session {
   bool quit_ = false;
   std::vector<Sample> samples_;
   std::vector<Note> notes_;
+  std::vector<std::function<void(Desk&)>> handed_back_;
   std::thread thread_;
 };
 

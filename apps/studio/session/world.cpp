@@ -123,6 +123,7 @@ std::size_t World::bytes_of_deeds() const {
 void World::keep_moment(Deed& deed) const {
   deed.moment = now_.simulation.snapshot();
   deed.last = now_.last;
+  deed.first = now_.history.front();
 }
 
 // Every parameter of a deed, the last one first. A deed that lies ahead is taken back where it was done.
@@ -150,16 +151,27 @@ void World::go_back(const Deed& deed, Deed& back) {
   if (now_.simulation.step_number() < now_.history.first()) now_.history.start(now_.simulation);
   begin_future(deed.step > 0 ? deed.step - 1 : 0);
   now_.last = std::max(now_.last, deed.last);
+  if (now_.simulation.step_number() != now_.history.first()) now_.history.set_front(*deed.first);
   jumped();
 }
 
-// Takes the last deed of one list back, and puts what leads here again into the other.
+// Takes the last deed of one list back, with those of the same gesture.
 bool World::take_back(std::vector<Deed>& from, std::vector<Deed>& to) {
   if (from.empty()) return false;
+  const std::uint64_t gesture = from.back().gesture;
+  bool done = take_one_back(from, to);
+  while (done && gesture != 0 && !from.empty() && from.back().gesture == gesture)
+    done = take_one_back(from, to);
+  return done;
+}
+
+// Puts what leads here again into the other list.
+bool World::take_one_back(std::vector<Deed>& from, std::vector<Deed>& to) {
   Deed deed = std::move(from.back());
   from.pop_back();
   Deed back;
   back.label = deed.label;
+  back.gesture = deed.gesture;
   if (deed.other) {
     back.other = set_aside(std::move(*deed.other));
   } else if (deed.moment) {
@@ -199,17 +211,29 @@ bool World::go_to(std::uint64_t step) {
 std::shared_ptr<Timeline> World::set_aside(Timeline next) {
   auto old = std::make_shared<Timeline>(std::move(now_));
   now_ = std::move(next);
+  if (now_.number == 0) now_.number = ++worlds_;
   old->history.shrink(history_bytes_ / aside_share);
   jumped();
   return old;
 }
 
 void World::replace(Simulation simulation, const std::string& label, const std::string& watched) {
+  Timeline next(std::move(simulation), history_bytes_);
+  next.watched = watched;
   Deed deed;
   deed.label = label;
-  deed.other = set_aside(Timeline(std::move(simulation), history_bytes_));
-  now_.watched = watched;
+  deed.other = set_aside(std::move(next));
   remember(std::move(deed));
+}
+
+std::vector<std::shared_ptr<const Timeline>> World::others() const {
+  std::vector<std::shared_ptr<const Timeline>> out;
+  for (const auto* deeds : {&undo_, &redo_}) {
+    for (const Deed& deed : *deeds) {
+      if (deed.other) out.push_back(deed.other);
+    }
+  }
+  return out;
 }
 
 void World::watch(const std::string& file, const sturnus::ScenarioDef& read) {
@@ -221,17 +245,49 @@ void World::set_read(const sturnus::ScenarioDef& read) {
   now_.read = std::make_shared<const sturnus::ScenarioDef>(read);
 }
 
+// The same scenario once more: nothing new was opened, and who is followed and which file stay.
+void World::begin_again(Timeline next, const std::string& label) {
+  next.opened = now_.opened;
+  next.read = now_.read;
+  next.watched = now_.watched;
+  next.tracked = now_.tracked;
+  Deed deed;
+  deed.label = label;
+  deed.other = set_aside(std::move(next));
+  remember(std::move(deed));
+}
+
 Status World::restart(std::int64_t seed) {
-  sturnus::ScenarioDef scenario = now_.simulation.scenario();
+  sturnus::ScenarioDef scenario = arranged();
   scenario.seed = seed;
-  scenario.run.events = now_.events;
   auto fresh = sturnus::open_simulation(scenario, now_.simulation.threads());
   if (!fresh) return fresh.problems();
-  const auto opened = now_.opened, read = now_.read;  // starting again opens nothing new
-  replace(std::move(*fresh), "restart", now_.watched);
-  now_.opened = opened;
-  now_.read = read;
+  begin_again(Timeline(std::move(*fresh), history_bytes_), "restart");
   return {};
+}
+
+Status World::extend(const std::string& label, const std::function<void(sturnus::ScenarioDef&)>& add) {
+  sturnus::ScenarioDef base = arranged(), opened = *now_.opened, here = continued(now_);
+  for (sturnus::ScenarioDef* scenario : {&base, &opened, &here}) add(*scenario);
+  const auto start = std::make_shared<const sturnus::State>(now_.simulation.view().state());
+  sturnus::SimulationOptions options;
+  options.threads = now_.simulation.threads();
+  options.tables = {{here.run.initial, *start}};
+  auto begun = Simulation::create(here, options);
+  if (!begun) return begun.problems();
+  begin_again(Timeline(std::move(*begun), history_bytes_), label);
+  now_.base = std::make_shared<const sturnus::ScenarioDef>(std::move(base));
+  now_.opened = std::make_shared<const sturnus::ScenarioDef>(std::move(opened));
+  now_.start = start;
+  return {};
+}
+
+void World::track_any() {
+  const sturnus::View view = now_.simulation.view();
+  if (view.size() == 0) return;
+  const std::uint64_t pick = view.step() + 2654435761u * ++picks_ + 12345u;
+  const auto slot = static_cast<std::size_t>(pick % view.size());
+  now_.tracked = view.id(slot);
 }
 
 void World::track_next(int direction) {

@@ -6,11 +6,12 @@
 #include <sturnus/simulation.h>
 
 #include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "session/arrangement.h"
 #include "session/frame.h"
-#include "session/timeline.h"
 
 namespace studio {
 
@@ -55,8 +56,12 @@ class World {
   /// Another simulation in place of this one, which `undo` brings back with its past. The world then follows
   /// the file `watched`, or none.
   void replace(sturnus::Simulation simulation, const std::string& label, const std::string& watched = "");
-  /// The scenario as it stands, parameters that were changed included, from its start.
+  /// The scenario as it stands, with all that was placed and set, from its start.
   sturnus::Status restart(std::int64_t seed);
+  sturnus::ScenarioDef arranged() const { return studio::arranged(now_); }
+  sturnus::Status write_session(const std::string& path) const { return studio::write_session(now_, path); }
+  /// Flocks or food that no command can bring: the scenario gets them, and the world goes on with them.
+  sturnus::Status extend(const std::string& label, const std::function<void(sturnus::ScenarioDef&)>& add);
 
   /// Follows a file of which the world was made.
   void watch(const std::string& file, const sturnus::ScenarioDef& read);
@@ -67,8 +72,13 @@ class World {
 
   /// Whom to follow; nobody: a number that no boid has. When it dies another one is taken.
   void track(std::optional<std::uint64_t> id) { now_.tracked = id; }
+  bool is_tracking() const { return now_.tracked.has_value(); }
+  /// Anybody, but not the one that was taken last.
+  void track_any();
   /// The next boid by id, or the one before (direction -1).
   void track_next(int direction);
+  /// A number for deeds that are undone together, which no hand uses.
+  std::uint64_t new_gesture() { return (std::uint64_t{1} << 40) + ++gestures_; }
   void wish(const Wishes& wishes) { wishes_ = wishes; }
 
   /// Fills a frame with the world as it stands.
@@ -77,6 +87,10 @@ class World {
 
   const sturnus::Simulation& simulation() const { return now_.simulation; }
   std::uint64_t generation() const { return generation_; }
+  /// Every world has a number of its own, and those that were set aside can be looked at.
+  const Timeline& timeline() const { return now_; }
+  std::uint64_t number() const { return now_.number; }
+  std::vector<std::shared_ptr<const Timeline>> others() const;
   std::uint64_t last() const { return now_.last; }
   const History& history() const { return now_.history; }
 
@@ -91,6 +105,7 @@ class World {
     std::vector<Change> changes;              ///< of parameters, in their order; or there is
     std::optional<sturnus::Snapshot> moment;  ///< the world before it (undo) or after it (redo)
     std::uint64_t last = 0;                   ///< of the moment: the last step that was seen then
+    std::optional<sturnus::Snapshot> first;   ///< of the moment: with which the history started then
     std::shared_ptr<Timeline> other;          ///< or another world
   };
   std::optional<Change> change_of(const sturnus::Command& command) const;
@@ -100,10 +115,12 @@ class World {
   bool put_back(const Deed& deed, Deed& back);
   void go_back(const Deed& deed, Deed& back);
   std::shared_ptr<Timeline> set_aside(Timeline next);
+  void begin_again(Timeline next, const std::string& label);
   void begin_future(std::uint64_t step);
   void let_go();
   void remember(Deed deed);
   bool take_back(std::vector<Deed>& from, std::vector<Deed>& to);
+  bool take_one_back(std::vector<Deed>& from, std::vector<Deed>& to);
   void jumped();
   void keep_tracked();
   std::size_t bytes_of_deeds() const;
@@ -114,6 +131,9 @@ class World {
   std::shared_ptr<const sturnus::ScenarioDef> scenario_;  ///< a copy for frames; null after a change
   Wishes wishes_;
   std::uint64_t generation_ = 1;
+  std::uint64_t gestures_ = 0;
+  std::uint64_t worlds_ = 0;
+  std::uint64_t picks_ = 0;              ///< how often `track_any` took somebody
   std::optional<std::uint64_t> way_to_;  ///< a step that `go_to` has not reached yet
   double step_seconds_ = 0;
 };
