@@ -10,7 +10,17 @@ constexpr double note_seconds = 6, problem_seconds = 12;
 
 void Desk::say(std::string text, bool is_problem) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  notes.push_back({{std::move(text), is_problem}, is_problem ? problem_seconds : note_seconds});
+  notes.push_back({{std::move(text), is_problem}, is_problem ? problem_seconds : note_seconds, {}});
+}
+
+void Desk::keep_saying(const std::string& about, std::string text) {
+  unsay(about);
+  say(std::move(text), true);
+  notes.back().about = about;
+}
+
+void Desk::unsay(const std::string& about) {
+  std::erase_if(notes, [&](const ShownNote& shown) { return !about.empty() && shown.about == about; });
 }
 
 void Desk::set(const std::string& path, const std::string& value, std::uint64_t gesture) {

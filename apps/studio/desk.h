@@ -35,6 +35,7 @@ struct Open {
 struct ShownNote {
   Note note;
   double seconds_left = 0;
+  std::string about;  ///< a file that is still wrong: shown until it is right or somebody dismisses it
 };
 
 /// A rectangle of the window, points.
@@ -83,6 +84,9 @@ struct Desk {
 
   const sturnus::ScenarioDef& scenario() const { return *frame->scenario; }
   void say(std::string text, bool is_problem = false);
+  /// Says what is wrong with a file until it is unsaid, in place of what was said of it before.
+  void keep_saying(const std::string& about, std::string text);
+  void unsay(const std::string& about);
   /// Sets a parameter, as one gesture with those of the same number.
   void set(const std::string& path, const std::string& value, std::uint64_t gesture = 0);
   /// Begins a film of the window, or ends the one that is being made.

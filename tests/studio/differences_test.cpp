@@ -61,14 +61,35 @@ TEST(StudioDifferences, AreSetInAnOrderThatIsRightAtAllTimes) {
   after.flocks[0].max_speed = 20;
   after.flocks[0].min_speed = 15;
   World world(std::move(*sturnus::open_simulation(before, 1)), std::size_t{64} << 20);
-  ASSERT_TRUE(set_all(world, {{"flock.birds.min_speed", "15"}, {"flock.birds.max_speed", "20"}}));
+  ASSERT_TRUE(set_all(world, {{"flock.birds.min_speed", "15"}, {"flock.birds.max_speed", "20"}}, "reload"));
   EXPECT_EQ(to_toml(world.simulation().scenario()), to_toml(after));
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(to_toml(world.simulation().scenario()), to_toml(before)) << "more than one deed";
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(to_toml(world.simulation().scenario()), to_toml(after));
+}
+
+TEST(StudioDifferences, AreOneDeedAlsoWhereATermComes) {
+  const ScenarioDef before = shipped("ucsd");
+  World world(std::move(*sturnus::open_simulation(before, 1)), std::size_t{64} << 20);
+  ASSERT_TRUE(set_all(world,
+                      {{"flock.birds.cohesion.weight", "7"},
+                       {"flock.birds.noise.turn", "3"},
+                       {"flock.birds.separation.weight", "2"}},
+                      "reload"));
+  const std::string after = to_toml(world.simulation().scenario());
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(to_toml(world.simulation().scenario()), to_toml(before));
+  EXPECT_FALSE(world.undo());
+  ASSERT_TRUE(world.redo());
+  EXPECT_EQ(to_toml(world.simulation().scenario()), after);
 }
 
 TEST(StudioDifferences, AreNotSetByHalves) {
   const ScenarioDef before = shipped("ucsd");
   World world(std::move(*sturnus::open_simulation(before, 1)), std::size_t{64} << 20);
-  const auto status = set_all(world, {{"flock.birds.cohesion.weight", "7"}, {"flock.birds.count", "3"}});
+  const auto status =
+      set_all(world, {{"flock.birds.cohesion.weight", "7"}, {"flock.birds.count", "3"}}, "reload");
   ASSERT_FALSE(status);
   EXPECT_NE(status.error().find("count"), std::string::npos) << status.error();
   EXPECT_EQ(to_toml(world.simulation().scenario()), to_toml(before));

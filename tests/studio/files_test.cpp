@@ -66,6 +66,64 @@ TEST_F(StudioFiles, ABadFileIsExplainedAndTheOldWorldRunsOn) {
   EXPECT_EQ(scenario().flocks[0].cohesion[0].weight, 0.75);
 }
 
+TEST_F(StudioFiles, ABrokenFileIsToldUntilItIsRightOrDismissed) {
+  open_world();
+  write("world.toml", with(small_world, "weight = 0.01", "wieght = 0.5"));
+  frames(until_looked + 15 * 60);
+  EXPECT_SAYS(said(), "world.toml:11: ");
+  write("world.toml", with(small_world, "weight = 0.01", "weihgt = 0.5"));
+  frames(until_looked);
+  EXPECT_SAYS(said(), "weihgt");
+  EXPECT_EQ(said().find("wieght"), std::string::npos) << "what is no longer so is still said";
+  ASSERT_TRUE(desk().items.contains("note.dismiss"));
+  click("note.dismiss");
+  EXPECT_EQ(said(), "");
+  write("world.toml", with(small_world, "weight = 0.01", "wiehgt = 0.5"));
+  frames(until_looked);
+  EXPECT_SAYS(said(), "wiehgt");
+  write("world.toml", with(small_world, "weight = 0.01", "weight = 0.75"));
+  frames(until_looked);
+  EXPECT_EQ(said().find("wiehgt"), std::string::npos);
+  EXPECT_EQ(scenario().flocks[0].cohesion[0].weight, 0.75);
+}
+
+TEST_F(StudioFiles, ABrokenFileOfAnotherWorldIsNoLongerTold) {
+  open_world();
+  write("world.toml", with(small_world, "weight = 0.01", "wieght = 0.5"));
+  frames(until_looked);
+  ASSERT_NE(said().find("wieght"), std::string::npos);
+  write("other.toml", small_world);
+  drop(path("other.toml"));
+  EXPECT_EQ(said().find("wieght"), std::string::npos);
+}
+
+TEST_F(StudioFiles, ManyChangesOfAFileAreOneDeed) {
+  open_world();
+  const std::string before = to_toml(scenario());
+  write("world.toml",
+        with(with(small_world, "weight = 0.01", "weight = 0.5"), "max_speed = 2", "max_speed = 3"));
+  frames(until_looked);
+  ASSERT_EQ(scenario().flocks[0].max_speed, 3);
+  ASSERT_EQ(scenario().flocks[0].cohesion[0].weight, 0.5);
+  press(SDLK_z, KMOD_LCTRL);
+  EXPECT_EQ(to_toml(scenario()), before);
+  press(SDLK_y, KMOD_LCTRL);
+  EXPECT_EQ(scenario().flocks[0].max_speed, 3);
+}
+
+TEST_F(StudioFiles, ABrokenScenarioThatIsDroppedIsExplainedAndTheWorldFliesOn) {
+  open_world();
+  write("bad.toml", with(small_world, "count = 40", "count = many"));
+  const std::uint64_t step = desk().frame->step, generation = desk().frame->generation;
+  drop(path("bad.toml"));
+  frames(10);
+  EXPECT_SAYS(said(), "bad.toml:8");
+  EXPECT_GT(desk().frame->step, step);
+  EXPECT_EQ(desk().frame->generation, generation);
+  EXPECT_EQ(desk().frame->boids.size(), 40u);
+  EXPECT_EQ(desk().files.watched(), "world.toml");
+}
+
 TEST_F(StudioFiles, WhatCantBeSetBeginsTheWorldAnewAndUndoBringsTheOldOneBack) {
   open_world();
   frames(60);

@@ -92,6 +92,25 @@ class StudioTest : public InFolder {
     SDL_PushEvent(&event);
     frames(2);
   }
+  /// Clicks a widget by its name.
+  void click(const std::string& item) {
+    const Box box = desk().items.at(item);
+    for (const Uint32 type : {SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
+      SDL_Event event{};
+      event.type = type;
+      const int x = static_cast<int>(box.x + box.width / 2), y = static_cast<int>(box.y + box.height / 2);
+      if (type == SDL_MOUSEMOTION) {
+        event.motion.x = x;
+        event.motion.y = y;
+      } else {
+        event.button.button = SDL_BUTTON_LEFT;
+        event.button.x = x;
+        event.button.y = y;
+      }
+      SDL_PushEvent(&event);
+      frames(2);
+    }
+  }
   void drop(const std::string& file) {
     SDL_Event event{};
     event.type = SDL_DROPFILE;

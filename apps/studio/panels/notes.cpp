@@ -36,7 +36,8 @@ void show_hint(const Desk& desk) {
 
 void show_notes(Desk& desk) {
   show_hint(desk);
-  for (ShownNote& note : desk.notes) note.seconds_left -= double{ImGui::GetIO().DeltaTime};
+  for (ShownNote& note : desk.notes)
+    if (note.about.empty()) note.seconds_left -= double{ImGui::GetIO().DeltaTime};
   desk.notes.erase(std::remove_if(desk.notes.begin(), desk.notes.end(),
                                   [](const ShownNote& note) { return note.seconds_left <= 0; }),
                    desk.notes.end());
@@ -47,13 +48,20 @@ void show_notes(Desk& desk) {
   ImGui::Begin("notes", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  for (const ShownNote& shown : desk.notes) {
+  for (ShownNote& shown : desk.notes) {
     const Palette& colours = palette(desk.view.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(shown.note.is_problem ? colours.problem : colours.text));
     ImGui::PushTextWrapPos(low.width * 0.7f);
     ImGui::TextUnformatted(shown.note.text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+    if (shown.about.empty()) continue;
+    ImGui::PushID(shown.about.c_str());
+    if (button(desk, "note.dismiss", "\u00d7 dismiss", "Shown until the file is right")) {
+      shown.about.clear();
+      shown.seconds_left = 0;
+    }
+    ImGui::PopID();
   }
   ImGui::End();
 }

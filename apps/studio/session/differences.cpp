@@ -83,22 +83,43 @@ Differences differences(const ScenarioDef& before, const ScenarioDef& after) {
 }
 
 // What is refused now may be right after another change: a least speed after its largest one.
-sturnus::Status set_all(World& world, const std::vector<Difference>& changes) {
-  std::vector<Difference> left = changes;
+sturnus::Result<std::vector<Difference>> in_order(const ScenarioDef& scenario,
+                                                  const std::vector<Difference>& changes) {
+  ScenarioDef reached = scenario;
+  std::vector<Difference> left = changes, out;
   sturnus::Status refused;
-  std::size_t done = 0;
+  const auto is_right = [&](const Difference& change) {
+    ScenarioDef tried = reached;
+    sturnus::Status status =
+        sturnus::is_fixed_while_running(change.path)
+            ? sturnus::Problem{scenario.file, 0, change.path, "can't change while a flock runs", false}
+            : set_parameter(tried, change.path, sturnus::parse_value(change.value));
+    for (const sturnus::Problem& problem : check(tried)) {
+      if (status && !problem.is_warning) status = problem;
+    }
+    if (!status) {
+      refused = status;
+      return false;
+    }
+    reached = std::move(tried);
+    out.push_back(change);
+    return true;
+  };
   while (!left.empty()) {
-    const auto is_set = [&](const Difference& change) {
-      const sturnus::Status status = world.act(sturnus::SetParameter{change.path, change.value}, change.path);
-      if (!status) refused = status;
-      done += status ? 1 : 0;
-      return static_cast<bool>(status);
-    };
     const std::size_t before = left.size();
-    left.erase(std::remove_if(left.begin(), left.end(), is_set), left.end());
-    if (left.size() < before) continue;
-    while (done > 0 && world.undo()) --done;
-    return refused;
+    std::erase_if(left, is_right);
+    if (left.size() == before) return refused.problems();
+  }
+  return out;
+}
+
+sturnus::Status set_all(World& world, const std::vector<Difference>& changes, const std::string& label) {
+  const auto ordered = in_order(world.simulation().scenario(), changes);
+  if (!ordered) return ordered.problems();
+  const std::uint64_t gesture = world.new_gesture();
+  for (const Difference& change : *ordered) {
+    const sturnus::SetParameter set{change.path, change.value};
+    if (const sturnus::Status status = world.act(set, label, gesture); !status) return status;
   }
   return {};
 }

@@ -30,8 +30,12 @@ struct Differences {
 };
 Differences differences(const sturnus::ScenarioDef& before, const sturnus::ScenarioDef& after);
 
-/// Sets them all in a running world, in an order in which the world is right at all times. On failure the
-/// world is as it was, and the first sentence says why.
-sturnus::Status set_all(World& world, const std::vector<Difference>& changes);
+/// An order in which the scenario is right after each of them, or why there is none.
+sturnus::Result<std::vector<Difference>> in_order(const sturnus::ScenarioDef& scenario,
+                                                  const std::vector<Difference>& changes);
+
+/// Sets them all in a running world, as one deed. On failure the world is as it was, and the first sentence
+/// says why.
+sturnus::Status set_all(World& world, const std::vector<Difference>& changes, const std::string& label);
 
 }  // namespace studio
