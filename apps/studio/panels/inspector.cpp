@@ -9,6 +9,7 @@
 #include "panels/style.h"
 #include "panels/values.h"
 #include "panels/widgets.h"
+#include "session/creatures.h"
 
 namespace studio {
 namespace {
@@ -77,7 +78,7 @@ void show_totals(Desk& desk) {
   const Frame& frame = *desk.frame;
   std::size_t hunters = 0;
   for (std::size_t i = 0; i < std::min(frame.population.size(), frame.scenario->flocks.size()); ++i)
-    hunters += frame.scenario->flocks[i].hunt ? frame.population[i] : 0;
+    hunters += is_predator(*frame.scenario, i) ? frame.population[i] : 0;
   const std::array<std::pair<const char*, std::size_t>, 5> totals{
       {{"units", frame.boids.size() - hunters},
        {"predators", hunters},

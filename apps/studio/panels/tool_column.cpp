@@ -29,6 +29,17 @@ void show_tool(Desk& desk, const ToolInfo& info) {
                                             packed(info.colour), 2);
 }
 
+// To whom units are added, where there is a choice.
+void show_flock(Desk& desk) {
+  const sturnus::ScenarioDef& scenario = desk.scenario();
+  const auto chosen = desk.tools.chosen(scenario);
+  if (!chosen || desk.tools.choices(scenario).size() < 2) return;
+  const std::string& name = scenario.flocks[*chosen].name;
+  if (button(desk, "tool.flock", name.substr(0, 3).c_str(),
+             "Clicks add to " + name + "; press for the next flock"))
+    desk.tools.choose_next(scenario);
+}
+
 void show_key(const char* key, const char* meaning) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -66,6 +77,7 @@ void show_tool_column(Desk& desk) {
     const std::string count = std::to_string(desk.tools.units_per_click());
     faint(count);
     tip(count + " units a click (up and down keys)");
+    show_flock(desk);
     if (button(desk, "tool.legend", "?", "What the tools are called")) desk.open.legend = !desk.open.legend;
   }
   end_panel();

@@ -5,6 +5,7 @@
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
+#include "session/creatures.h"
 
 namespace studio {
 namespace {
@@ -25,7 +26,7 @@ std::string totals(const Desk& desk) {
   const Frame& frame = *desk.frame;
   std::size_t hunters = 0;
   for (std::size_t i = 0; i < frame.population.size(); ++i)
-    hunters += frame.scenario->flocks[i].hunt ? frame.population[i] : 0;
+    hunters += is_predator(*frame.scenario, i) ? frame.population[i] : 0;
   std::string text = grouped(frame.boids.size() - hunters) + " units";
   if (hunters > 0) text += " \u00b7 " + grouped(hunters) + (hunters == 1 ? " predator" : " predators");
   if (!frame.obstacles.empty()) text += " \u00b7 " + grouped(frame.obstacles.size()) + " obstacles";

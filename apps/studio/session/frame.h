@@ -64,7 +64,8 @@ struct Frame {
   std::uint64_t step = 0;  ///< steps done
   int dimensions = 2;
   bool has_previous = false;  ///< whether `Instance::previous` is the step before; otherwise it is `position`
-  std::vector<Instance> boids;  ///< in storage order, which changes from step to step
+  std::array<float, 3> centre{};  ///< mean place of the boids, or the middle of the space; length
+  std::vector<Instance> boids;    ///< in storage order, which changes from step to step
   std::vector<std::uint64_t> ids;
   std::vector<Piece> food;
   std::vector<sturnus::Obstacle> obstacles;

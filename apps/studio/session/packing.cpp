@@ -80,6 +80,20 @@ void pack_boids(const View& view, Frame& frame) {
   }
 }
 
+// Where most are: the mean place, or the middle of the space when there is nobody.
+void pack_centre(Frame& frame) {
+  std::array<double, 3> sum{};
+  for (const Instance& boid : frame.boids) {
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += double{boid.position[axis]};
+  }
+  const auto count = static_cast<double>(frame.boids.size());
+  frame.centre = {};
+  for (std::size_t axis = 0; axis < frame.extent.min.size(); ++axis) {
+    const double middle = (frame.extent.min[axis] + frame.extent.max[axis]) / 2;
+    frame.centre[axis] = static_cast<float>(frame.boids.empty() ? middle : sum[axis] / count);
+  }
+}
+
 void pack_food(const View& view, Frame& frame) {
   const sturnus::Food& food = view.state().food;
   frame.food.resize(food.size());
@@ -112,6 +126,7 @@ void pack(const sturnus::Simulation& simulation, Frame& frame) {
   frame.obstacles = view.state().obstacles;
   frame.pointer = view.state().pointer;
   pack_boids(view, frame);
+  pack_centre(frame);
   pack_food(view, frame);
   pack_targets(simulation, frame);
   frame.population.assign(view.scenario().flocks.size(), 0);

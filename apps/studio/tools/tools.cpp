@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/creatures.h"
+
 namespace studio {
 namespace {
 
@@ -53,7 +55,7 @@ Point reach_of(const Hand& hand, const Frame& frame, const Camera& camera) {
     const Ray ray = camera.ray(hand.x, hand.y);
     if (const Instance* boid = nearest_to(ray, frame)) return on_ray(ray, boid->position);
   }
-  return camera.place(hand.x, hand.y, centre_of(frame));
+  return camera.place(hand.x, hand.y, frame.centre);
 }
 
 float side_of(const Frame& frame) {
@@ -61,14 +63,6 @@ float side_of(const Frame& frame) {
   for (std::size_t axis = 0; axis < frame.extent.min.size(); ++axis)
     side = std::max(side, frame.extent.max[axis] - frame.extent.min[axis]);
   return static_cast<float>(side);
-}
-
-std::vector<std::size_t> flocks_that(const sturnus::ScenarioDef& scenario, bool hunt) {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < scenario.flocks.size(); ++i) {
-    if (scenario.flocks[i].hunt.has_value() == hunt) found.push_back(i);
-  }
-  return found;
 }
 
 }  // namespace
@@ -100,29 +94,14 @@ const ToolInfo& info_of(Tool tool) {
   return *std::find_if(list.begin(), list.end(), [&](const ToolInfo& info) { return info.tool == tool; });
 }
 
-Point centre_of(const Frame& frame) {
-  std::array<double, 3> sum{};
-  for (const Instance& boid : frame.boids) {
-    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += double{boid.position[axis]};
-  }
-  Point centre{};
-  for (std::size_t axis = 0; axis < frame.extent.min.size(); ++axis) {
-    centre[axis] =
-        static_cast<float>(frame.boids.empty() ? (frame.extent.min[axis] + frame.extent.max[axis]) / 2
-                                               : sum[axis] / static_cast<double>(frame.boids.size()));
-  }
-  return centre;
-}
-
 void Tools::suit(const Frame& frame) {
   radius = side_of(frame) / 12;
-  const auto prey = flocks_that(*frame.scenario, false);
-  flock = prey.empty() ? 0 : prey.front();
+  flock = predators = 0;
   is_pressed_ = is_pointing_ = false;
 }
 
 Point Tools::place(const Hand& hand, const Frame& frame, const Camera& camera) const {
-  return camera.place(hand.x, hand.y, centre_of(frame));
+  return camera.place(hand.x, hand.y, frame.centre);
 }
 
 void Tools::press(const Hand& hand, bool right, const Frame& frame, const Camera& camera, Session& session) {
@@ -134,9 +113,8 @@ void Tools::press(const Hand& hand, bool right, const Frame& frame, const Camera
       mode_ = right ? sturnus::PointerMode::repel : sturnus::PointerMode::attract;
       return point(hand, mode_, true, frame, camera, session);
     case Tool::add:
-      return add(at, false, frame, session);
     case Tool::predator:
-      return add(at, true, frame, session);
+      return add(at, frame, session);
     case Tool::obstacle:
       return place_obstacle(at, frame, session);
     case Tool::attractor:
@@ -213,30 +191,63 @@ void Tools::scatter(const Hand& hand, const Frame& frame, const Camera& camera, 
               "scatter");
 }
 
-void Tools::add(const Point& at, bool hunters, const Frame& frame, Session& session) {
-  const auto found = flocks_that(*frame.scenario, hunters);
-  if (found.empty()) {
-    return session.note({hunters
-                             ? "This scenario has no predators; those of the gallery's hawk-and-starlings or "
-                               "sharks-and-fish do."
-                             : "Everybody in this scenario is a predator: use that tool.",
-                         true});
-  }
-  const std::size_t chosen =
-      hunters || std::find(found.begin(), found.end(), flock) == found.end() ? found.front() : flock;
-  const FlockDef& def = frame.scenario->flocks[chosen];
-  const std::int64_t count = hunters ? 1 : units_per_click();
+std::vector<std::size_t> Tools::choices(const sturnus::ScenarioDef& scenario) const {
+  std::vector<std::size_t> found = flocks_that(scenario, tool == Tool::predator);
+  if (found.empty() && tool != Tool::predator) found = flocks_that(scenario, true);
+  return found;
+}
+
+std::optional<std::size_t> Tools::chosen(const sturnus::ScenarioDef& scenario) const {
+  const auto found = choices(scenario);
+  if (found.empty()) return {};
+  const std::size_t wanted = tool == Tool::predator ? predators : flock;
+  return std::find(found.begin(), found.end(), wanted) == found.end() ? found.front() : wanted;
+}
+
+void Tools::choose_next(const sturnus::ScenarioDef& scenario) {
+  const auto found = choices(scenario);
+  const auto now = chosen(scenario);
+  if (!now) return;
+  auto next = std::find(found.begin(), found.end(), *now) + 1;
+  (tool == Tool::predator ? predators : flock) = next == found.end() ? found.front() : *next;
+}
+
+void Tools::add(const Point& at, const Frame& frame, Session& session) {
+  const auto own = chosen(*frame.scenario);
+  const bool are_predators = tool == Tool::predator;
+  if (!own) return bring_predators(at, frame, session);
+  const FlockDef& def = frame.scenario->flocks[*own];
+  const std::int64_t count = are_predators ? 1 : units_per_click();
   const double around =
       count == 1 ? 0 : def.size * std::pow(static_cast<double>(count), 1.0 / frame.dimensions);
   session.act(sturnus::AddBoids{def.name, count, coordinates(at, frame.dimensions), around},
-              hunters ? "predator" : "add units");
+              are_predators ? "predator" : "add units");
 }
 
+// A scenario without predators is given a flock of them with the first.
+void Tools::bring_predators(const Point& at, const Frame& frame, Session& session) {
+  session.order([at = coordinates(at, frame.dimensions), &session](World& world) {
+    const sturnus::Status status = world.extend("predators", give_predators);
+    if (!status) return status;
+    const std::string name = world.simulation().scenario().flocks.back().name;
+    session.note(
+        {"The scenario now has a flock \"" + name + "\" that hunts the others. Undo takes it away."});
+    return world.act(sturnus::AddBoids{name, 1, at, 0}, "");
+  });
+}
+
+// A scenario without food is given a kind of it with the first piece.
 void Tools::add_food(const Point& at, const Frame& frame, Session& session) {
-  if (frame.scenario->food.empty())
-    return session.note({"Nobody eats food in this scenario; they do in sharks-and-fish.", true});
-  session.act(sturnus::AddFood{frame.scenario->food.front().name, 1, coordinates(at, frame.dimensions), 0},
-              "food");
+  const Coordinates place = coordinates(at, frame.dimensions);
+  if (!frame.scenario->food.empty())
+    return session.act(sturnus::AddFood{frame.scenario->food.front().name, 1, place, 0}, "food");
+  session.order([place, &session](World& world) {
+    const sturnus::Status status = world.extend("food", give_food);
+    if (!status) return status;
+    const std::string name = world.simulation().scenario().food.back().name;
+    session.note({"The scenario now has \"" + name + "\", and its flocks eat it. Undo takes it away."});
+    return world.act(sturnus::AddFood{name, 1, place, 0}, "");
+  });
 }
 
 // An obstacle nobody looks at would be no obstacle: flocks that don't avoid any yet learn it with it.
@@ -268,7 +279,7 @@ void Tools::show(const Hand& hand, const Frame& frame, const Camera& camera, Sha
   if (!hand.in_view) return;
   const sturnus::Rgba colour = info_of(tool).colour;
   const bool has_reach = tool == Tool::eraser || tool == Tool::scatter;
-  const Point at = has_reach ? reach_of(hand, frame, camera) : place(hand, frame, camera);
+  const Point at = place(hand, frame, camera);
   const float pixel = camera.pixel_length(at);
   const float own = tool == Tool::obstacle ? radius / 2 : tool == Tool::hand ? 6 * pixel : 10 * pixel;
   shapes.ring(at, has_reach ? radius : own, colour, 2);

@@ -35,9 +35,10 @@ struct Hand {
 class Tools {
  public:
   Tool tool = Tool::hand;
-  int power = 3;          ///< units per click are 2^power
-  float radius = 30;      ///< of eraser and scatter, as a length
-  std::size_t flock = 0;  ///< to whom units are added, index in file order
+  int power = 3;              ///< units per click are 2^power
+  float radius = 30;          ///< of eraser and scatter, as a length
+  std::size_t flock = 0;      ///< to whom units are added, index in file order
+  std::size_t predators = 0;  ///< to whom predators are
 
   static constexpr int most_power = 12;
 
@@ -54,13 +55,19 @@ class Tools {
   void scatter(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   /// The tool's ring at the cursor, in its colour.
   void show(const Hand& hand, const Frame& frame, const Camera& camera, Shapes& shapes) const;
+  /// The flocks among which the tool can choose, the one to which it adds (nobody: there is none), and the
+  /// choice of the next one.
+  std::vector<std::size_t> choices(const sturnus::ScenarioDef& scenario) const;
+  std::optional<std::size_t> chosen(const sturnus::ScenarioDef& scenario) const;
+  void choose_next(const sturnus::ScenarioDef& scenario);
   /// What a click would touch, in words of the space: where new things go.
   Point place(const Hand& hand, const Frame& frame, const Camera& camera) const;
 
  private:
   void stroke(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   void place_obstacle(const Point& at, const Frame& frame, Session& session);
-  void add(const Point& at, bool hunters, const Frame& frame, Session& session);
+  void add(const Point& at, const Frame& frame, Session& session);
+  void bring_predators(const Point& at, const Frame& frame, Session& session);
   void add_food(const Point& at, const Frame& frame, Session& session);
   void follow(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   void point(const Hand& hand, sturnus::PointerMode mode, bool pressed, const Frame& frame,
@@ -75,8 +82,5 @@ class Tools {
   sturnus::PointerMode mode_ = sturnus::PointerMode::attract;
   float last_x_ = -1e9f, last_y_ = -1e9f;
 };
-
-/// Where most of a frame's boids are: their mean place, or the middle of the space when there are none.
-Point centre_of(const Frame& frame);
 
 }  // namespace studio
