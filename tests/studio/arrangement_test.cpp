@@ -130,8 +130,7 @@ TEST(StudioArrangement, RandomObstaclesStayRandomUntilOneIsErased) {
   EXPECT_EQ(placed.obstacles[1].spheres, (std::vector<Coordinates>{{700, 400, 15}}));
   ASSERT_TRUE(world.act(EraseBoids{{120, 125}, 5}, "erase"));  // the box
   placed = world.arranged();
-  EXPECT_EQ(again(placed).simulation().view().state().obstacles,
-            world.simulation().view().state().obstacles);
+  EXPECT_EQ(again(placed).simulation().view().state().obstacles, world.simulation().view().state().obstacles);
 }
 
 TEST(StudioArrangement, TheScenariosOwnEventsStayEvents) {

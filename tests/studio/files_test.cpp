@@ -202,8 +202,11 @@ TEST_F(StudioFiles, DroppedFilesAreOpenedByTheirKind) {
   EXPECT_EQ(desk().frame->boids.size(), 40u);
   EXPECT_EQ(desk().files.watched(), path("world.toml"));
   desk().playback.play(false);
+  desk().session.act(sturnus::PlaceObstacle{{300, 200}, 15}, "obstacle");
   drop(path("state.csv"));
   EXPECT_EQ(desk().frame->boids.size(), 3u);
+  EXPECT_EQ(desk().frame->obstacles.size(), 1u) << "what was placed belongs to the scenario";
+  EXPECT_EQ(desk().files.watched(), path("world.toml"));
   EXPECT_EQ(scenario().flocks[0].name, "birds");
   drop(path("notes.txt"));
   EXPECT_SAYS(said(), "notes.txt: only scenarios");

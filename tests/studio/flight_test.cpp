@@ -1,4 +1,5 @@
-// The camera under a person's hands: what each button and key does to it, and that the world knows nothing of it.
+// The camera under a person's hands: what each button and key does to it, and that the world knows nothing of
+// it.
 #include "ui.h"
 
 namespace studio::test {
@@ -77,10 +78,9 @@ TEST_F(StudioFlight, ShiftAndTheRightButtonLookAndLettersFlyUntilOneOfThemIsLetG
   move(x + 70, y + 20);
   expect_near(desk().camera.eye(), eye, 0.05f);
   EXPECT_LT(dot(desk().camera.forward(), facing), 0.999f);
-  for (const auto& [code, way] : {std::pair{SDLK_w, desk().camera.forward()},
-                                  std::pair{SDLK_s, desk().camera.forward() * -1.0f},
-                                  std::pair{SDLK_d, desk().camera.right()},
-                                  std::pair{SDLK_a, desk().camera.right() * -1.0f}}) {
+  for (const auto& [code, way] :
+       {std::pair{SDLK_w, desk().camera.forward()}, std::pair{SDLK_s, desk().camera.forward() * -1.0f},
+        std::pair{SDLK_d, desk().camera.right()}, std::pair{SDLK_a, desk().camera.right() * -1.0f}}) {
     const Point before = desk().camera.eye();
     hold(code, true, KMOD_LSHIFT);
     frames(10);

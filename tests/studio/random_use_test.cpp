@@ -1,7 +1,9 @@
 // Two thousand uses of everything, at random: nothing breaks, and what was done is a scenario that ends
 // alike.
+#include <algorithm>
 #include <random>
 
+#include "studio_support.h"
 #include "ui.h"
 
 namespace studio::test {
@@ -18,13 +20,13 @@ class StudioRandomUse : public Ui {
   sturnus::Size window_size() const override { return {560, 360}; }
 
   void use_once() {
-    constexpr SDL_Keycode keys[] = {SDLK_0, SDLK_1,        SDLK_2,     SDLK_3,    SDLK_4,     SDLK_5,
-                                    SDLK_6, SDLK_7,        SDLK_8,     SDLK_s,    SDLK_SPACE, SDLK_PERIOD,
-                                    SDLK_t, SDLK_UP,       SDLK_DOWN,  SDLK_LEFT, SDLK_RIGHT, SDLK_f,
-                                    SDLK_g, SDLK_QUESTION, SDLK_ESCAPE};
+    constexpr SDL_Keycode keys[] = {SDLK_0, SDLK_1,      SDLK_2,     SDLK_3,    SDLK_4,        SDLK_5,
+                                    SDLK_6, SDLK_7,      SDLK_8,     SDLK_s,    SDLK_SPACE,    SDLK_a,
+                                    SDLK_t, SDLK_UP,     SDLK_DOWN,  SDLK_LEFT, SDLK_f,        SDLK_g,
+                                    SDLK_w, SDLK_PERIOD, SDLK_RIGHT, SDLK_r,    SDLK_QUESTION, SDLK_ESCAPE};
     constexpr Uint8 buttons[] = {SDL_BUTTON_LEFT, SDL_BUTTON_LEFT, SDL_BUTTON_RIGHT, SDL_BUTTON_MIDDLE};
     const Uint8 which = buttons[number(0, 3)];
-    switch (number(0, 9)) {
+    switch (number(0, 10)) {
       case 0:
       case 1:
       case 2:
@@ -40,9 +42,62 @@ class StudioRandomUse : public Ui {
         return key(SDLK_z, number(0, 2) == 0 ? KMOD_CTRL | KMOD_SHIFT : KMOD_CTRL);
       case 8:
         return use_widget();
+      case 9:
+        return use_files();
       default:
         return frames(number(1, 4));
     }
+  }
+
+  void use_files() {
+    constexpr SDL_Keycode commands[] = {SDLK_c, SDLK_v, SDLK_y};
+    const char* files[] = {"pond.toml", "state.csv", "bad.toml"};
+    const int which = number(0, 9);
+    if (which < 3) return drop(files[which]);
+    key(commands[which % 3], KMOD_CTRL);
+  }
+
+  void drop(const char* file) {
+    SDL_Event event{};
+    event.type = SDL_DROPFILE;
+    event.drop.file = SDL_strdup(file);
+    SDL_PushEvent(&event);
+    frames(2);
+  }
+
+  // The events file of a world that was left, or of the last one: its replay, and what the program says.
+  void expect_replay(const Timeline& left) {
+    const std::string file = "left-" + std::to_string(left.number) + ".toml";
+    std::filesystem::remove(file);
+    ASSERT_TRUE(write_session(left, file));
+    const auto saved = sturnus::load_scenario(file);
+    ASSERT_TRUE(saved) << saved.error();
+    auto replay = sturnus::open_simulation(*saved, 1);
+    ASSERT_TRUE(replay) << replay.error();
+    replay->run(left.simulation.step_number() - replay->step_number());
+    EXPECT_EQ(replay->hash(), left.simulation.hash())
+        << file << ": " << saved->run.events.size() << " events, " << saved->run.steps << " steps";
+    ++replayed_;
+    events_ += saved->run.events.size();
+#ifdef STURNUS_PROGRAM
+    char expected[32];
+    std::snprintf(expected, sizeof expected, "%016llx",
+                  static_cast<unsigned long long>(left.simulation.hash()));
+    const std::string steps = std::to_string(saved->run.steps);
+    EXPECT_SAYS(output_of(STURNUS_PROGRAM " run " + file + " --steps " + steps + " 2>&1"), expected);
+#endif
+  }
+
+  // A world that is left is replayed as it was left.
+  void notice_leaving() {
+    const std::uint64_t now = ask([](World& asked) { return asked.number(); });
+    if (now == number_) return;
+    const auto others = ask([](World& asked) { return asked.others(); });
+    const auto left = std::find_if(others.begin(), others.end(),
+                                   [&](const auto& other) { return other->number == number_; });
+    ASSERT_NE(left, others.end()) << "a world that was left is forgotten";
+    expect_replay(**left);
+    number_ = now;
   }
 
   void use_widget() {
@@ -72,24 +127,31 @@ class StudioRandomUse : public Ui {
   }
 
   std::mt19937 random_{20241};
+  std::uint64_t number_ = 0;
+  std::size_t replayed_ = 0, events_ = 0;
 };
 
-TEST_F(StudioRandomUse, EndsInAWorldThatItsRecordingEndsInToo) {
+TEST_F(StudioRandomUse, EveryWorldOfItEndsAsItsSavedEventsEnd) {
   open("sharks-and-fish", 80);
+  sturnus::ScenarioDef pond = *world().scenario;
+  pond.run.events = {{3, sturnus::AddFood{"plankton", 3, {400, 300}, 20}}};
+  ASSERT_TRUE(sturnus::write_text("pond.toml", to_toml(pond)));
+  ASSERT_TRUE(sturnus::write_text("bad.toml", "boids = many\n"));
+  const std::string state = ask([](World& asked) { return state_csv(asked.simulation().view().state()); });
+  ASSERT_TRUE(sturnus::write_text("state.csv", state));
   for (int i = 0; i < uses; ++i) {
     use_once();
     keep_small();
+    notice_leaving();
     ASSERT_FALSE(desk().wants_quit) << "after " << i << " uses";
+    ASSERT_FALSE(HasFailure()) << "after " << i << " uses";
   }
-  const auto [recording, step, last] = ask([](World& asked) {
-    const sturnus::Simulation& simulation = asked.simulation();
-    return std::tuple(simulation.recording(), simulation.step_number(), simulation.hash());
+  ask([this](World& asked) {
+    expect_replay(asked.timeline());
+    return 0;
   });
-  auto replay = sturnus::open_simulation(recording, 1);
-  ASSERT_TRUE(replay) << replay.error();
-  EXPECT_FALSE(recording.run.events.empty());
-  replay->run(step - replay->step_number());
-  EXPECT_EQ(replay->hash(), last) << recording.run.events.size() << " events, " << step << " steps";
+  EXPECT_GT(replayed_, 20u);
+  EXPECT_GT(events_, 20u);
 }
 
 }  // namespace

@@ -197,6 +197,24 @@ TEST(StudioWorld, RedoLeadsToItsOwnPastToo) {
   EXPECT_EQ(world.simulation().hash(), at_17);
 }
 
+TEST(StudioWorld, ADeedOfTheFirstStepIsThereAfterRedoAndGoneAfterUndo) {
+  World world(small_flock(), plenty);
+  const std::uint64_t untouched = world.simulation().hash();
+  ASSERT_TRUE(world.act(AddBoids{flock_of(world), 8, {0, 0}, 5}, "add"));
+  const std::uint64_t added = world.simulation().hash();
+  run(world, 20);
+  ASSERT_TRUE(world.undo());
+  EXPECT_EQ(world.simulation().hash(), untouched);
+  run(world, 10);
+  ASSERT_TRUE(world.redo());
+  go(world, 0);
+  EXPECT_EQ(world.simulation().hash(), added);
+  ASSERT_TRUE(world.undo());
+  run(world, 10);
+  go(world, 0);
+  EXPECT_EQ(world.simulation().hash(), untouched);
+}
+
 TEST(StudioWorld, AHandOfThePastLetsGoWhereAnotherFutureBegins) {
   World world(small_flock(), plenty);
   ASSERT_TRUE(world.act(sturnus::MovePointer{sturnus::PointerMode::attract, {0, 0}, true}, "drag", 1));

@@ -49,7 +49,8 @@ TEST_F(StudioFollowing, GoesOnToAnotherWhenTheUnitIsErased) {
   ASSERT_TRUE(world().tracked);
   const std::uint64_t id = world().explained->id;
   const Instance& boid = world().boids[*world().tracked];
-  desk().session.act(sturnus::EraseBoids{{double{boid.position[0]}, double{boid.position[1]}}, 0.5}, "eraser");
+  desk().session.act(sturnus::EraseBoids{{double{boid.position[0]}, double{boid.position[1]}}, 0.5},
+                     "eraser");
   frames(3);
   ASSERT_EQ(world().ids.end(), std::find(world().ids.begin(), world().ids.end(), id));
   ASSERT_TRUE(world().explained);

@@ -43,29 +43,23 @@ void Files::open(Desk& desk, const std::string& path) {
   const auto scenario = sturnus::load_scenario(path);
   if (!scenario) return desk.say(scenario.error(), true);
   const bool is_file = look_at(scenario->file).has_value();
-  open_in(desk.session, *scenario, "open " + scenario->name, is_file ? Follows::its_own : Follows::none);
+  open_in(desk.session, *scenario, "open " + scenario->name, is_file);
   if (is_file) remember_file(recent_list_path(), scenario->file);
 }
 
 void Files::open(Desk& desk, const ScenarioDef& scenario) {
-  open_in(desk.session, scenario, "open " + scenario.name, Follows::none);
+  open_in(desk.session, scenario, "open " + scenario.name, false);
 }
 
 void Files::drop(Desk& desk, const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending == ".toml") return open(desk, path);
-  if (ending == ".csv") return replace_boids(desk, path);
+  if (ending == ".csv") {
+    const std::string name = file_name(path);
+    return replace_boids_in(desk.session, std::filesystem::absolute(path).string(), "boids of " + name,
+                            "The boids are those of " + name + ".");
+  }
   desk.say(file_name(path) + ": only scenarios (.toml) and states (.csv) can be dropped here.", true);
-}
-
-void Files::replace_boids(Desk& desk, const std::string& path) {
-  ScenarioDef scenario = desk.scenario();
-  scenario.run.initial = std::filesystem::absolute(path).string();
-  scenario.run.first_step = 0;
-  scenario.run.resumed = false;
-  scenario.run.events.clear();
-  open_in(desk.session, scenario, "boids of " + file_name(path), Follows::as_before,
-          "The boids are those of " + file_name(path) + ".");
 }
 
 // Opening, undoing and redoing change whose file it is. What was saved while another world was shown is read

@@ -45,7 +45,6 @@ class Files {
     friend bool operator==(const Look&, const Look&) = default;
   };
   static std::optional<Look> look_at(const std::string& path);
-  void replace_boids(Desk& desk, const std::string& path);
   void follow(Desk& desk);
 
   std::string path_;                                    ///< the world's file; empty: nothing is watched

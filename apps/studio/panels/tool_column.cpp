@@ -35,8 +35,8 @@ void show_flock(Desk& desk) {
   const auto chosen = desk.tools.chosen(scenario);
   if (!chosen || desk.tools.choices(scenario).size() < 2) return;
   const std::string& name = scenario.flocks[*chosen].name;
-  if (button(desk, "tool.flock", name.substr(0, 3).c_str(),
-             "Clicks add to " + name + "; press for the next flock"))
+  const std::string number = "\u2192" + std::to_string(*chosen + 1);
+  if (button(desk, "tool.flock", number.c_str(), "Clicks add to " + name + "; press for the next flock"))
     desk.tools.choose_next(scenario);
 }
 

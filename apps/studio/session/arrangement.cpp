@@ -162,8 +162,7 @@ std::vector<Event> with_placed(const std::vector<Event>& own, const std::vector<
 ScenarioDef arranged(const Timeline& timeline) {
   const ScenarioDef recording = timeline.simulation.recording();
   std::vector<Event> deeds = done_by_hand(recording.run.events, timeline.events);
-  std::erase_if(deeds,
-                [&](const Event& deed) { return deed.step > timeline.simulation.step_number(); });
+  std::erase_if(deeds, [&](const Event& deed) { return deed.step > timeline.simulation.step_number(); });
   const ScenarioDef& begun = timeline.base ? *timeline.base : recording;
   ScenarioDef out = with_rows(begun, deeds);
   out.run.events = with_placed(timeline.base ? begun.run.events : timeline.events, deeds, out);
@@ -181,7 +180,8 @@ ScenarioDef continued(const Timeline& timeline) {
   out.run.resumed = false;
   const auto axes = static_cast<std::ptrdiff_t>(state.dimensions);
   if (state.pointer.pressed) {
-    MovePointer pointer{state.pointer.mode, {state.pointer.at.begin(), state.pointer.at.begin() + axes}, true};
+    MovePointer pointer{
+        state.pointer.mode, {state.pointer.at.begin(), state.pointer.at.begin() + axes}, true};
     if (state.pointer.along != std::array<float, 3>{})
       pointer.along.assign(state.pointer.along.begin(), state.pointer.along.begin() + axes);
     out.run.events.push_back({state.step, std::move(pointer)});
@@ -194,8 +194,7 @@ ScenarioDef continued(const Timeline& timeline) {
 
 Status write_session(const Timeline& timeline, const std::string& path) {
   ScenarioDef recorded = with_whole_paths(timeline.simulation.recording());
-  recorded.run.steps =
-      static_cast<std::int64_t>(timeline.simulation.step_number()) - recorded.run.first_step;
+  recorded.run.steps = static_cast<std::int64_t>(timeline.simulation.step_number()) - recorded.run.first_step;
   if (timeline.start) {
     const std::filesystem::path file(path);
     const std::string table =

@@ -9,14 +9,15 @@ namespace {
 
 using namespace sturnus;
 
-constexpr double usual_speed = 3;     // length per time, where a flock has no limit
+constexpr double usual_speed = 3;    // length per time, where a flock has no limit
 constexpr int last_order = 1 << 20;  // after the terms that the file has
 
 template <class Items>
 std::string free_name_in(const Items& items, const std::string& wish) {
   std::string name = wish;
   const auto is_taken = [&](const auto& item) { return item.name == name; };
-  for (int i = 2; std::any_of(items.begin(), items.end(), is_taken); ++i) name = wish + "-" + std::to_string(i);
+  for (int i = 2; std::any_of(items.begin(), items.end(), is_taken); ++i)
+    name = wish + "-" + std::to_string(i);
   return name;
 }
 
@@ -98,8 +99,8 @@ void give_food(ScenarioDef& scenario) {
   for (std::size_t i = 0; i < scenario.flocks.size(); ++i) {
     FlockDef& flock = scenario.flocks[i];
     if (flock.feed || flock.hunt) continue;
-    flock.feed = Feed{
-        .on = food.name, .radius = side / 8, .weight = 0.05 * speed_of(flock), .order = last_order + 1};
+    flock.feed =
+        Feed{.on = food.name, .radius = side / 8, .weight = 0.05 * speed_of(flock), .order = last_order + 1};
   }
   scenario.food.push_back(std::move(food));
 }

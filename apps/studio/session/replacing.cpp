@@ -42,15 +42,27 @@ std::string without_end(std::string text) {
 
 }  // namespace
 
-void open_in(Session& session, const ScenarioDef& scenario, const std::string& label, Follows follows,
-             const std::string& told) {
-  session.order([&session, scenario, label, follows, told](World& world) {
-    const std::string before = world.watched();
-    const std::string file = follows == Follows::its_own ? scenario.file : "";
-    const ScenarioDef read = follows == Follows::as_before && !before.empty() ? world.read() : scenario;
-    const Status status = replace(world, scenario, label, follows == Follows::as_before ? before : file);
+void open_in(Session& session, const ScenarioDef& scenario, const std::string& label, bool is_watched) {
+  session.order([scenario, label, is_watched](World& world) {
+    const Status status = replace(world, scenario, label, is_watched ? scenario.file : "");
+    if (status) world.set_read(scenario);
+    return status;
+  });
+}
+
+void replace_boids_in(Session& session, const std::string& table, const std::string& label,
+                      const std::string& told) {
+  session.order([&session, table, label, told](World& world) {
+    ScenarioDef scenario = world.arranged();
+    scenario.run.initial = table;
+    scenario.run.first_step = 0;
+    scenario.run.resumed = false;
+    scenario.run.events.clear();
+    const std::string file = world.watched();
+    const ScenarioDef read = file.empty() ? scenario : world.read();
+    const Status status = replace(world, scenario, label, file);
     if (status) world.set_read(read);
-    if (status && !told.empty()) session.note({told});
+    if (status) session.note({told});
     return status;
   });
 }

@@ -7,13 +7,14 @@
 
 namespace studio {
 
-/// Which file a world follows.
-enum class Follows { none, its_own, as_before };
-
-/// Opens a scenario in place of the world. What stands in its way is noted, and the old world goes on. `told`
-/// is noted when the new world is there.
+/// Opens a scenario in place of the world, which then follows its file or none. What stands in its way is
+/// noted, and the old world goes on.
 void open_in(Session& session, const sturnus::ScenarioDef& scenario, const std::string& label,
-             Follows follows, const std::string& told = "");
+             bool is_watched);
+
+/// Puts the boids of a state CSV into the scenario as it stands, in place of those that are there.
+void replace_boids_in(Session& session, const std::string& table, const std::string& label,
+                      const std::string& told);
 
 /// Makes the world that follows this file what the file now says: parameters are set where it runs, anything
 /// else begins it anew.
