@@ -22,6 +22,8 @@ using sturnus::Status;
 constexpr std::size_t deeds_share = 4;
 // And this part of it for the past of each world that was set aside.
 constexpr std::size_t aside_share = 32;
+// A simulation with its working memory takes about so many times its state.
+constexpr std::size_t working_memory = 4;
 
 }  // namespace
 
@@ -115,7 +117,7 @@ std::size_t World::bytes_of_deeds() const {
   std::size_t bytes = 0;
   for (const Deed& deed : undo_) {
     bytes += deed.moment ? moment : 0;
-    if (deed.other) bytes += deed.other->history.bytes() + size_of(deed.other->simulation.view().state());
+    if (deed.other) bytes += deed.other->history.bytes() + working_memory * size_of(deed.other->simulation.view().state());
   }
   return bytes;
 }
