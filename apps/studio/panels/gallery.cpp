@@ -2,6 +2,7 @@
 #include "panels/gallery.h"
 
 #include <sturnus/files.h>
+#include <sturnus/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,11 @@ void open_shipped(Desk& desk, const Exhibit& exhibit) {
   desk.open.gallery = false;
 }
 
+// The exhibit that the details tell of: the one that was clicked last, or the world's own.
+const std::string& told_of(const Desk& desk) {
+  return desk.gallery.looked_at.empty() ? desk.scenario().name : desk.gallery.looked_at;
+}
+
 void draw_picture(const Desk& desk, const Exhibit& exhibit, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colours = palette(desk.view.theme);
@@ -40,10 +46,15 @@ void draw_picture(const Desk& desk, const Exhibit& exhibit, ImVec2 low, ImVec2 h
   list.AddRectFilled(low, high, packed(colours.background), corner);
   if (ImTextureID picture = desk.gallery.thumbnails.of(exhibit.name))
     list.AddImageRounded(picture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, corner);
-  const bool is_here = desk.scenario().name == exhibit.name;
-  const bool is_hovered = ImGui::IsItemHovered();
-  const sturnus::Rgba edge = is_hovered || is_here ? colours.accent : colours.outline;
-  list.AddRect(low, high, packed(edge), corner, 0, is_hovered ? 2.0f : 1.0f);
+  const bool is_chosen = told_of(desk) == exhibit.name, is_hovered = ImGui::IsItemHovered();
+  const sturnus::Rgba edge = is_hovered || is_chosen ? colours.accent : colours.outline;
+  list.AddRect(low, high, packed(edge), corner, 0, is_chosen ? 2.0f : 1.0f);
+}
+
+// The first click tells of an exhibit, the second opens it.
+void press(Desk& desk, const Exhibit& exhibit) {
+  if (desk.gallery.looked_at == exhibit.name) return open_shipped(desk, exhibit);
+  desk.gallery.looked_at = exhibit.name;
 }
 
 // Names what can be clicked: not what is scrolled out of sight.
@@ -60,20 +71,20 @@ void show_card(Desk& desk, const Exhibit& exhibit, float width) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const bool is_pressed = ImGui::InvisibleButton(exhibit.name.c_str(), {width, height + line + 4 * scale});
   mark_visible(desk, exhibit);
-  if (ImGui::IsItemHovered()) desk.gallery.looked_at = exhibit.name;
+  tip("Click for more about it; click again to open it");
   draw_picture(desk, exhibit, at, {at.x + width, at.y + height});
   const ImVec4 clip(at.x, at.y, at.x + width, at.y + height + line + 4 * scale);
   ImGui::GetWindowDrawList()->AddText(nullptr, 0, {at.x + 2, at.y + height + 4 * scale},
-                                      packed(palette(desk.view.theme).text), exhibit.title.c_str(), nullptr,
-                                      0, &clip);
-  if (is_pressed) open_shipped(desk, exhibit);
+                                      packed(palette(desk.view.theme).text),
+                                      shortened(exhibit.title, width - 2).c_str(), nullptr, 0, &clip);
+  if (is_pressed) press(desk, exhibit);
 }
 
 // Bench worlds are listed without pictures.
 void show_line(Desk& desk, const Exhibit& exhibit) {
-  if (ImGui::Selectable((exhibit.title + "##" + exhibit.name).c_str())) open_shipped(desk, exhibit);
+  const bool is_chosen = told_of(desk) == exhibit.name;
+  if (ImGui::Selectable((exhibit.title + "##" + exhibit.name).c_str(), is_chosen)) press(desk, exhibit);
   mark_visible(desk, exhibit);
-  if (ImGui::IsItemHovered()) desk.gallery.looked_at = exhibit.name;
 }
 
 void show_group(Desk& desk, const std::string& group, const std::vector<const Exhibit*>& members) {
@@ -120,27 +131,49 @@ void show_search(Desk& desk) {
   }
 }
 
-// A line such as "flock.birds.cohesion.on = false" can be tried at once in the world that it is meant for.
-void show_suggestion(Desk& desk, const Exhibit& exhibit, const std::string& line) {
+// Where the world runs, a parameter is set in it. Where another does, or it can only be set before a run, the
+// exhibit's world begins anew with it.
+void try_it(Desk& desk, const Exhibit& exhibit, const std::string& path, const std::string& value) {
+  const bool is_here = desk.scenario().name == exhibit.name;
+  desk.open.gallery = false;
+  if (is_here && !sturnus::is_fixed_while_running(path)) return desk.set(path, value);
+  auto scenario = is_here ? sturnus::Result(desk.scenario()) : sturnus::load_scenario(exhibit.name);
+  if (!scenario) return desk.say(scenario.error(), true);
+  if (const sturnus::Status set = sturnus::set_parameter(*scenario, path, sturnus::parse_value(value)); !set)
+    return desk.say(set.error(), true);
+  desk.files.open(desk, *scenario);
+  desk.say(exhibit.name + " began with " + path + " = " + value + ".");
+}
+
+// A line such as "flock.birds.cohesion.on = false" can be tried at once.
+void show_suggestion(Desk& desk, const Exhibit& exhibit, std::size_t index) {
+  const std::string& line = exhibit.try_this[index];
   const auto sign = line.find(" = ");
-  if (desk.scenario().name != exhibit.name || sign == std::string::npos)
-    return ImGui::TextWrapped("%s", line.c_str());
-  if (ImGui::Selectable(line.c_str())) desk.set(line.substr(0, sign), line.substr(sign + 3));
-  tip("Click to try it now; undo takes it back");
+  if (sign == std::string::npos) return ImGui::TextWrapped("%s", line.c_str());
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool is_pressed =
+      ImGui::Selectable((shortened(line, width) + "##" + line).c_str(), false, 0, {width, 0});
+  mark(desk, "gallery.try." + std::to_string(index + 1));
+  tip(line + "\nClick to try it now; undo takes it back");
+  if (is_pressed) try_it(desk, exhibit, line.substr(0, sign), line.substr(sign + 3));
 }
 
 void show_details(Desk& desk) {
-  const std::string& wanted = desk.gallery.looked_at.empty() ? desk.scenario().name : desk.gallery.looked_at;
+  const std::string wanted = told_of(desk);
   for (const Exhibit& exhibit : exhibits()) {
     if (exhibit.name != wanted) continue;
     ImGui::TextWrapped("%s", exhibit.title.c_str());
     faint(exhibit.name);
+    const bool is_here = desk.scenario().name == exhibit.name;
+    if (button(desk, "gallery.open", is_here ? "start again" : "open",
+               "This world in place of the one that runs"))
+      open_shipped(desk, exhibit);
     ImGui::Dummy({0, 4});
     ImGui::TextWrapped("%s", exhibit.about.c_str());
     if (exhibit.try_this.empty()) return;
     ImGui::Dummy({0, 4});
     faint("try");
-    for (const std::string& line : exhibit.try_this) show_suggestion(desk, exhibit, line);
+    for (std::size_t i = 0; i < exhibit.try_this.size(); ++i) show_suggestion(desk, exhibit, i);
     return;
   }
 }
@@ -151,11 +184,12 @@ void show_recent(Desk& desk) {
   faint("opened lately");
   for (const std::string& file : desk.gallery.recent) {
     const std::string name = std::filesystem::path(file).filename().string();
-    if (ImGui::Selectable((name + "##" + file).c_str())) {
-      desk.files.open(desk, file);
-      desk.open.gallery = false;
-    }
+    const bool is_pressed = ImGui::Selectable((name + "##" + file).c_str());
+    mark(desk, "gallery.recent." + name);
     tip(file);
+    if (!is_pressed) continue;
+    desk.files.open(desk, file);
+    desk.open.gallery = false;
   }
 }
 
@@ -180,7 +214,7 @@ void show_saving(Desk& desk) {
 }
 
 void show_side(Desk& desk) {
-  const float saving = 84 * desk.text_scale;
+  const float saving = ImGui::GetTextLineHeightWithSpacing() + 2 * ImGui::GetFrameHeightWithSpacing() + 4;
   if (ImGui::BeginChild("details", {0, -saving})) {
     show_details(desk);
     show_recent(desk);
@@ -203,9 +237,10 @@ void show_gallery(Desk& desk) {
   desk.gallery.thumbnails.want(desk.view.theme);
   desk.gallery.thumbnails.upload();
   if (!was_open) open_up(desk);
-  const float side = 280 * desk.text_scale;
+  const Box place = place_of_gallery(desk);
+  const float side = std::min(280 * desk.text_scale, 0.45f * place.width);
   ImGui::SetNextWindowBgAlpha(1);
-  if (begin_panel("gallery", place_of_gallery(desk))) {
+  if (begin_panel("gallery", place)) {
     if (ImGui::BeginChild("cards", {ImGui::GetContentRegionAvail().x - side - 16, 0})) {
       show_search(desk);
       show_cards(desk);

@@ -21,7 +21,7 @@ bool is_found(const Exhibit& exhibit, const std::string& search);
 struct GalleryState {
   std::array<char, 64> search{};
   std::array<char, 160> file_name{};  ///< under which things are saved; empty: a name is made
-  std::string looked_at;              ///< the exhibit that the details tell of
+  std::string looked_at;              ///< the exhibit that was clicked last
   bool was_open = false;
   std::vector<std::string> recent;  ///< files, read when the gallery opens
   Thumbnails thumbnails;
