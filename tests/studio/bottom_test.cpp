@@ -55,6 +55,22 @@ TEST(StudioPlots, ADeedInThePastCutsThemAndScrubbingDoesNot) {
   EXPECT_EQ(desktop.desk.plots.lines.back().sample.measures.step, 40u);
 }
 
+TEST(StudioPlots, WhatIsChangedWhileTheWorldRestsIsPlottedAtOnce) {
+  Desktop desktop(opened("two-flocks"));
+  desktop.run(23);
+  const auto& lines = desktop.desk.plots.lines;
+  const std::size_t before = lines.back().sample.population[0];
+  const std::string flock = desktop.desk.scenario().flocks[0].name;
+  desktop.session.act(sturnus::AddBoids{flock, 16, {100, 100}, 5}, "add units");
+  desktop.frame();
+  desktop.frame();
+  EXPECT_EQ(lines.back().sample.measures.step, desktop.desk.frame->step);
+  EXPECT_EQ(lines.back().sample.population[0], before + 16);
+  desktop.undo();
+  desktop.frame();
+  EXPECT_EQ(lines.back().sample.population[0], before);
+}
+
 TEST(StudioPlots, AnotherScenarioBeginsAnew) {
   Desktop desktop(opened("ucsd"));
   desktop.run(100);

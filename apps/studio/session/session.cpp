@@ -132,11 +132,13 @@ bool Session::do_one_thing(std::unique_lock<std::mutex>& lock) {
     if (is_there && wanted_ == wanted) wanted_.reset();
   } else if (!orders_.empty()) {
     const auto orders = std::exchange(orders_, {});
+    const bool rests = now_ >= run_to_;
     lock.unlock();
     for (const auto& what : orders) {
       if (const sturnus::Status status = what(world_); !status.problems().empty())
         note({status.error(), !status});
     }
+    if (rests) measure_change();
     lock.lock();
   } else {
     lock.unlock();
@@ -163,6 +165,19 @@ void Session::measure() {
     return;
   measure_seconds_ = seconds_of([&] { sample = world_.sample(); });
   since_measure_ = 0;
+  const std::lock_guard lock(mutex_);
+  samples_.push_back(std::move(sample));
+}
+
+// What was changed while the world stands still, which no step will measure; not for every motion of the
+// mouse where it takes long.
+void Session::measure_change() {
+  using Clock = std::chrono::steady_clock;
+  const std::chrono::duration<double> passed = Clock::now() - changed_;
+  if (!options_.measures_all && passed.count() * measuring_share < measure_seconds_) return;
+  Sample sample;
+  measure_seconds_ = seconds_of([&] { sample = world_.sample(); });
+  changed_ = Clock::now();
   const std::lock_guard lock(mutex_);
   samples_.push_back(std::move(sample));
 }

@@ -2,6 +2,7 @@
 // never kept waiting, whatever a step costs.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -62,6 +63,7 @@ class Session {
   bool do_one_thing(std::unique_lock<std::mutex>& lock);
   void publish();
   void measure();
+  void measure_change();
   std::shared_ptr<Frame> free_frame();
 
   SessionOptions options_;
@@ -69,6 +71,7 @@ class Session {
   std::vector<std::shared_ptr<Frame>> pool_;  // the thread's own
   std::uint64_t serial_ = 0;                  // the thread's own
   double measure_seconds_ = 0, since_measure_ = 0;
+  std::chrono::steady_clock::time_point changed_{};  // when a world at rest was measured; the thread's own
   std::mutex mutex_;
   std::condition_variable wake_, settled_;
   std::vector<std::function<sturnus::Status(World&)>> orders_;
