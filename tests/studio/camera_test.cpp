@@ -56,6 +56,24 @@ TEST_P(Cameras, FitShowsEveryCorner) {
   }
 }
 
+TEST_P(Cameras, FillCentresWhatWasSeenBesidePanelsAndShowsAllOfIt) {
+  Camera c;
+  const std::array<float, 4> covered{60, 50, 320, 200};
+  c.resize({1000, 600}, covered);
+  c.fit(GetParam() == 2 ? plane : room, GetParam());
+  Camera filled = c;
+  filled.fill();
+  const float free_x = 1000 - covered[0] - covered[2], free_y = 600 - covered[1] - covered[3];
+  const float larger = std::min(1000 / free_x, 600 / free_y);
+  for (int i = 0; i < 8; ++i) {
+    const Point at{(i & 1) != 0 ? 360.f : -40.f, (i & 2) != 0 ? 260.f : 10.f,
+                   GetParam() == 2 ? 0 : ((i & 4) != 0 ? 110.f : -70.f)};
+    const Point was = c.project(at), is = filled.project(at);
+    EXPECT_NEAR(is[0] - 500, (was[0] - covered[0] - free_x / 2) * larger, 0.5f);
+    EXPECT_NEAR(is[1] - 300, (was[1] - covered[1] - free_y / 2) * larger, 0.5f);
+  }
+}
+
 TEST_P(Cameras, PlaceAndProjectAnswerEachOther) {
   Camera c = camera(GetParam());
   c.orbit(130, 40);

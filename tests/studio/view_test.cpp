@@ -145,6 +145,21 @@ TEST_F(Views, DriftingColoursAndQuarantineShow) {
   EXPECT_LE(difference(at(image, place(1)), colours(options_.theme).quarantined), 2);
 }
 
+TEST_F(Views, TheFlocksColourAndTheDriftingOneAreTwoThings) {
+  for (Instance& each : frame_.boids) {
+    each.colour[0] = 10, each.colour[1] = 200, each.colour[2] = 90, each.colour[3] = 255;
+  }
+  const Rgba drifted{10, 200, 90, 255};
+  for (const auto& [by, wanted] :
+       {std::pair{ColourBy::automatic, drifted}, {ColourBy::drifting, drifted}, {ColourBy::flock, own(0)}}) {
+    options_.colour_by = by;
+    EXPECT_LE(difference(at(picture(), place(0)), wanted), 2) << static_cast<int>(by);
+  }
+  for (Instance& each : frame_.boids) each.colour[3] = 0;
+  options_.colour_by = ColourBy::drifting;
+  EXPECT_LE(difference(at(picture(), place(0)), own(0)), 2) << "nothing drifts here";
+}
+
 TEST_F(Views, ColourByHeadingAndSpeedTellBoidsApart) {
   frame_.boids[2].velocity[0] = -1.6f;
   for (const ColourBy by : {ColourBy::heading, ColourBy::speed}) {

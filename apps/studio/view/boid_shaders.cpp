@@ -69,19 +69,25 @@ vec3 hunter_colour(Boid boid, vec3 own) {
   return mix(own, starved_colour, boid.starving);
 }
 
-vec3 colour_of(Boid boid, int index) {
+vec3 untracked_colour(Boid boid) {
   vec3 own = flock_colour[boid.flock].rgb;
-  if (index == tracked) return tracked_colour;
   if ((boid.flags & 16u) != 0u) return quarantined_colour;
   if ((boid.flags & 1u) != 0u) return hunter_colour(boid, own);
-  if (colour_by == 1) return by_heading(boid.velocity);
-  if (colour_by == 2) {
+  if (colour_by == 2) return by_heading(boid.velocity);
+  if (colour_by == 3) {
     vec4 form = flock_form[boid.flock];
     return ramp((length(boid.velocity) - form.y) / max(form.z - form.y, 1e-20));
   }
-  if (colour_by == 3) return ramp(sqrt(boid.crowd / 40.0));
-  if (boid.drifting.a > 0.0) return boid.drifting.rgb;
+  if (colour_by == 4) return ramp(sqrt(boid.crowd / 40.0));
+  if (colour_by != 1 && boid.drifting.a > 0.0) return boid.drifting.rgb;
   return own;
+}
+
+// In space whoever is followed stands among others, who are paler then.
+vec3 colour_of(Boid boid, int index) {
+  if (index == tracked) return tracked_colour;
+  vec3 own = untracked_colour(boid);
+  return tracked >= 0 && in_space ? mix(own, background, 0.5) : own;
 }
 
 vec4 tail_of(Boid boid) {
@@ -103,7 +109,8 @@ void main() {
   float unit_pixel = pixel_at(boid.at);
   centre_depth = depth_of(boid.at);
   if (int(flock_form[boid.flock].x) != mesh || centre_depth < nearest) { gl_Position = nowhere; return; }
-  colour = vec4(sunk(colour_of(boid, index), centre_depth), 1);
+  bool is_tracked = index == tracked;
+  colour = vec4(sunk(colour_of(boid, index), is_tracked ? 0.0 : centre_depth), 1);
   tail = tail_of(boid);
   ring = 0.0;
   kind = shape;
@@ -117,6 +124,7 @@ void main() {
   vec2 heading = dot(boid.velocity.xy, boid.velocity.xy) > 0.0 && is_dart ? normalize(boid.velocity.xy) : vec2(1, 0);
   vec2 aside = heading * local.x + vec2(-heading.y, heading.x) * local.y;
   gl_Position = to_clip * vec4(boid.at + (right * aside.x + up * aside.y) * unit_pixel, 1);
+  if (is_tracked) gl_Position = in_front(gl_Position), centre_depth = nearest + deep;
 }
 )";
 }
@@ -128,9 +136,11 @@ uniform float smallest;  // pixels
 void main() {
   Boid boid = pull(gl_VertexID);
   float depth = depth_of(boid.at);
-  colour = sunk(colour_of(boid, gl_VertexID), depth);
-  gl_PointSize = clamp(0.5 * length_of(boid, gl_VertexID) / pixel_at(boid.at), smallest * scale, 24.0 * scale);
+  bool is_tracked = gl_VertexID == tracked;
+  colour = sunk(colour_of(boid, gl_VertexID), is_tracked ? 0.0 : depth);
+  gl_PointSize = clamp(0.5 * length_of(boid, gl_VertexID) / pixel_at(boid.at), (is_tracked ? 6.0 : smallest) * scale, 24.0 * scale);
   gl_Position = depth < nearest ? nowhere : to_clip * vec4(boid.at, 1);
+  if (is_tracked && depth >= nearest) gl_Position = in_front(gl_Position);
 }
 )";
 }
@@ -165,6 +175,7 @@ flat out float depth_;
 out vec3 model;       // where on the body at rest, in lengths of it
 out vec3 normal;
 out float what;       // the part of the body, as meshes.h counts
+flat out float detail;  // 0 where a body is too small on the screen to show a texture, 1 where it is large
 
 const float turn = 6.2831853;
 
@@ -195,6 +206,14 @@ vec3 bite(vec3 at, int piece, float open) {
   return at + (in_space ? vec3(0, 0, upper ? by : -by) : vec3(0, lefthand ? by : -by, 0));
 }
 
+// Small bodies are plumper, and a fish's tail is seen from all sides.
+vec3 plump(vec3 at, int piece, float small) {
+  if (mesh == 5 && piece == 1 && at.x < -0.35) at.y += sign(at.y) * abs(at.z) * 0.9 * small;
+  if (mesh == 5 && piece != 1) at.y *= 1.0 + small;
+  if (mesh == 6 && piece == 0) at.yz *= 1.0 + 0.6 * small;
+  return at;
+}
+
 void main() {
   int index = gl_VertexID / corners, corner = first + gl_VertexID % corners;
   Boid boid = pull(index);
@@ -207,14 +226,16 @@ void main() {
   float lively = clamp(speed / max(flock_form[boid.flock].z, 1e-20), 0.0, 1.0);
   int piece = int(a.w);
   float open = (boid.flags & 8u) != 0u ? 0.65 + 0.35 * sin(9.0 * seconds + phase) : 0.0;
-  vec3 moved = bite(a.xyz, piece, open);
+  float unit_pixel = pixel_at(boid.at) * scale, least = mesh == 5 || mesh == 6 ? 10.0 : 4.0;
+  float long_ = max(length_of(boid, index), least * unit_pixel);
+  detail = smoothstep(14.0, 44.0, long_ / unit_pixel);
+  vec3 moved = plump(bite(a.xyz, piece, open), piece, 1.0 - detail);
   if (mesh == 5) moved = swim(moved, phase, lively);
   if (mesh == 6) moved = flap(moved, piece, phase, lively);
   vec3 ahead = speed > 0.0 ? boid.velocity / speed : vec3(1, 0, 0);
   vec3 upright = in_space ? vec3(0, 1, 0) : vec3(0, 0, 1);
   if (abs(dot(ahead, upright)) > 0.999) upright = vec3(1, 0, 0);
   vec3 left = normalize(cross(upright, ahead)), top = cross(ahead, left);
-  float long_ = max(length_of(boid, index), 4.0 * scale * pixel_at(boid.at));
   colour = colour_of(boid, index);
   tail = tail_of(boid);
   model = a.xyz;
@@ -223,6 +244,7 @@ void main() {
   gl_Position = to_clip * vec4(boid.at + (ahead * moved.x + left * moved.y + top * moved.z) * long_, 1);
   // The plane has no depth of its own: each body has a thin layer, by its id.
   if (!in_space) gl_Position.z = -0.9 * phase / turn - 0.0008 * moved.z;
+  if (index == tracked) gl_Position = in_front(gl_Position), depth_ = 0.0;
 }
 )";
 }
@@ -236,6 +258,7 @@ flat in float depth_;
 in vec3 model;
 in vec3 normal;
 in float what;
+flat in float detail;
 out vec4 shown;
 
 float band(float at, float width) { return smoothstep(width, 0.6 * width, abs(at)); }
@@ -276,6 +299,7 @@ void main() {
   vec3 facing = normalize(normal);
   if ((piece == 1 || piece == 2) && dot(facing, forward) > 0.0) facing = -facing;  // thin: seen from both sides
   vec3 base = mesh == 5 ? fish(colour) : mesh == 6 ? bird(colour) : colour;
+  base = mix(colour, base, detail);
   float end = mesh == 5 || mesh == 6 ? -0.30 : -0.08;
   if (tail.a > 0.0 && model.x < end) base = tail.rgb;
   float light = max(0.0, dot(facing, towards_light()));

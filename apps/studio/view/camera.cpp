@@ -95,6 +95,14 @@ void Camera::resize(sturnus::Size pixels, const std::array<float, 4>& covered) {
   free_y_ = std::max(0.2f, 1 - (covered[1] + covered[3]) / height);
 }
 
+void Camera::fill() {
+  const float part = std::max(free_x_, free_y_);
+  if (dimensions_ == 2) span_ *= part;
+  if (dimensions_ == 3) field_of_view_ = 2 * std::atan(half_slope() * part) / degree;
+  shift_x_ = shift_y_ = 0;
+  free_x_ = free_y_ = 1;
+}
+
 void Camera::pan(float dx, float dy) {
   const float by = pixel_length(middle_);
   middle_ = middle_ + up() * (dy * by) - right() * (dx * by);

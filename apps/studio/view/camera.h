@@ -26,6 +26,8 @@ class Camera {
   /// The window in pixels, and how much of it panels cover at the left, top, right and bottom: the middle of
   /// what is seen is the middle of the rest.
   void resize(sturnus::Size pixels, const std::array<float, 4>& covered = {});
+  /// Shows what was seen beside panels in the whole window, as large as it fits.
+  void fill();
 
   /// Moves what is under the hand by so many pixels.
   void pan(float dx, float dy);

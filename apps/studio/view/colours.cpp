@@ -13,10 +13,14 @@ constexpr Rgba orange = rgb(0xe69f00), sky_blue = rgb(0x56b4e9), green = rgb(0x0
                yellow = rgb(0xf0e442), blue = rgb(0x0072b2), vermilion = rgb(0xd55e00),
                purple = rgb(0xcc79a7);
 
+// Lighter ones (0 to 255) can't be told from a white ground.
+constexpr int lightest_on_white = 150;
+
 constexpr Colours dark{
     .background = rgb(0x0f1419),
     .surface = rgb(0x141b22),
     .outline = rgb(0x2b3640),
+    .edge = rgb(0xffffff),
     .grid = rgb(0x222c35),
     .text = rgb(0xe6edf3),
     .hunter = vermilion,
@@ -37,6 +41,7 @@ constexpr Colours light{
     .background = rgb(0xffffff),
     .surface = rgb(0xf7f9fa),
     .outline = rgb(0xb4bec7),
+    .edge = rgb(0x1b232b),
     .grid = rgb(0xe3e8ec),
     .text = rgb(0x1b232b),
     .hunter = vermilion,
@@ -57,6 +62,16 @@ constexpr Colours light{
 
 const Colours& colours(sturnus::ThemeName theme) {
   return theme == sturnus::ThemeName::light ? light : dark;
+}
+
+sturnus::Rgba colour_on(sturnus::ThemeName theme, sturnus::Rgba colour) {
+  if (theme == sturnus::ThemeName::dark) return colour;
+  const int light = (3 * colour.r + 6 * colour.g + colour.b) / 10;
+  if (light <= lightest_on_white) return colour;
+  const auto darker = [&](std::uint8_t part) {
+    return static_cast<std::uint8_t>(part * lightest_on_white / (2 * light - lightest_on_white));
+  };
+  return {darker(colour.r), darker(colour.g), darker(colour.b), colour.a};
 }
 
 std::optional<Rgba> colour_of_hex(const std::string& hex) {

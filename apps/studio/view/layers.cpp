@@ -183,7 +183,7 @@ void add_ground(const Frame& frame, const Colours& colours, const ViewOptions& o
               out.lines);
   }
   if (options.outline || options.grid)
-    add_box(space.low, space.high, frame.dimensions, colours.outline, 1.5f, out.lines);
+    add_box(space.low, space.high, frame.dimensions, colours.edge, 1.5f, out.lines);
 }
 
 void add_obstacles(const Frame& frame, const Colours& colours, Layer& out) {

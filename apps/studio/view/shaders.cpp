@@ -29,6 +29,8 @@ vec3 towards_light() { return normalize(up * 0.7 - right * 0.3 - forward * 0.8);
 vec4 bytes_of(uint word) {
   return vec4(word & 255u, word >> 8 & 255u, word >> 16 & 255u, word >> 24) / 255.0;
 }
+// Above all that looks at depth.
+vec4 in_front(vec4 place) { return vec4(place.xy, mix(place.z, -place.w, 0.98), place.w); }
 const vec4 nowhere = vec4(0, 0, -2, 1);
 )";
 

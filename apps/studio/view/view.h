@@ -12,13 +12,15 @@
 
 namespace studio {
 
-enum class ColourBy { flock, heading, speed, neighbours, drifting };
+/// automatic: the flock's, or the colours that drift where the scenario has them. The shaders know the
+/// numbers.
+enum class ColourBy { automatic, flock, heading, speed, neighbours, drifting };
 /// How boids look. automatic: the scenario's glyph, simpler the more there are.
 enum class Look { automatic, arrows, fish, birds, points };
 
 struct ViewOptions {
   sturnus::ThemeName theme = sturnus::ThemeName::dark;
-  ColourBy colour_by = ColourBy::flock;
+  ColourBy colour_by = ColourBy::automatic;
   Look look = Look::automatic;
   float size = 1;  ///< times the size that the scenario gives
   bool trails = false;
