@@ -36,6 +36,28 @@ class StudioWindow : public ScreenTest {
     return found;
   }
 
+  // What "save session" of the gallery writes. The buttons are at its lower right: a hand that does not know
+  // where tries from below.
+  std::string saved_session() const {
+    press("g");
+    std::string found;
+    const auto has_session = [&] {
+      for (const std::string& name : files()) {
+        if (name.ends_with(".toml") && read(name).find("events") != std::string::npos) found = read(name);
+      }
+      return !found.empty();
+    };
+    for (int y = 530; y > 470 && !has_session(); y -= 10) {
+      for (int x = 490; x < 760 && !has_session(); x += 30) {
+        xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y) +
+                " click 1");
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      }
+    }
+    EXPECT_TRUE(has_session()) << "no session was saved";
+    return found;
+  }
+
   std::unique_ptr<Running> program_;
   std::string window_;
 };
@@ -50,6 +72,12 @@ TEST_F(StudioWindow, KeysAndMouseReachTheWorldAndCtrlQEndsIt) {
   press("period");  // one step more, and its number is the picture's name
   EXPECT_EQ(pictures_after("w").size(), 3u);
   xdotool("mousemove --window " + window_ + " 300 250 key 2 click 1");
+  const std::string session = saved_session();
+  EXPECT_NE(session.find("\"obstacle\""), std::string::npos) << "the click put an obstacle there:\n"
+                                                             << session;
+  EXPECT_EQ(session.find("\"obstacle\""), session.rfind("\"obstacle\"")) << "one click, one obstacle";
+  press("Escape");
+  press("Escape");
   xdotool("key ctrl+q");
   const Ended ended = program_->wait(std::chrono::seconds(60));
   EXPECT_EQ(ended.code, 0) << ended.err;

@@ -6,6 +6,7 @@
 #include <sturnus/files.h>
 #include <sturnus/parameters.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -24,7 +25,9 @@ class Ui : public ::testing::Test {
     here_ = std::filesystem::current_path();
     folder_ = std::filesystem::temp_directory_path() /
               ("sturnus-studio-" + std::to_string(getpid()) + "-" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+               std::filesystem::path(::testing::UnitTest::GetInstance()->current_test_info()->name())
+                   .filename()
+                   .string());
     std::filesystem::create_directories(folder_);
     std::filesystem::current_path(folder_);
   }
@@ -47,6 +50,7 @@ class Ui : public ::testing::Test {
     auto simulation = sturnus::open_simulation(scenario, 1);
     ASSERT_TRUE(simulation) << simulation.error();
     StudioOptions options;
+    options.memory = memory_;
     options.points = window_size();
     options.threads = 1;
     options.history_bytes = std::size_t{64} << 20;
@@ -164,14 +168,18 @@ class Ui : public ::testing::Test {
   std::string value(const std::string& path) { return *sturnus::get_parameter(*world().scenario, path); }
 
   std::unique_ptr<Studio> studio_;
+  std::string memory_;  ///< of an earlier visit: a first visit unless told
 
  private:
-  // Where $STURNUS_SHOTS names a folder, what a test saw last is kept there.
+  // Where $STURNUS_SHOTS names a folder, as ctest does, what a test saw last is kept there.
   void keep_picture() {
     const char* shots = std::getenv("STURNUS_SHOTS");
     if (shots == nullptr || !studio_) return;
-    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    EXPECT_TRUE(sturnus::save_picture(std::string(shots) + "/" + name + ".png", studio_->picture(true)));
+    const auto& test = *::testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test.test_suite_name()) + "." + test.name() + ".png";
+    std::replace(name.begin(), name.end(), '/', '-');
+    std::filesystem::create_directories(shots);
+    EXPECT_TRUE(sturnus::save_picture(std::string(shots) + "/" + name, studio_->picture(true)));
   }
 
   std::filesystem::path here_, folder_;
