@@ -25,6 +25,8 @@ namespace studio {
 /// Which panels are unfolded.
 struct Open {
   bool legend = true;
+  bool legend_anyway = false;  ///< also where it hides much of the world
+  bool hint = true;            ///< the lines of the first start, until they faded
   bool inspector = true;
   bool bottom = true;
   bool gallery = false;
@@ -47,6 +49,8 @@ struct Box {
 /// Where panels stand in this frame.
 struct Layout {
   Box top, tools, inspector, bottom, world;
+  int tool_columns = 1;    ///< in which the tools stand
+  float tool_height = 28;  ///< of a tool's button, points
 };
 
 struct Desk {
@@ -68,6 +72,7 @@ struct Desk {
   sturnus::Size pixels;      ///< of the window
   double frame_seconds = 0;  ///< what the last frame took to draw
   bool is_tracking = false;
+  bool wants_tracking = false;  ///< to begin or end in this frame
   std::vector<ShownNote> notes;
   InspectorState inspector;
   TrackingState tracking;

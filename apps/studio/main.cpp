@@ -2,6 +2,9 @@
 // input).
 #include <sturnus/files.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "command_line.h"
 #include "main_program.h"
 #include "output.h"
@@ -17,6 +20,7 @@ struct Words {
   std::string size = "1280x800";
   std::string theme = "dark";
   std::string script, video;
+  bool frame_times = false;
   std::optional<std::int64_t> threads, history;
 };
 
@@ -27,6 +31,8 @@ studio::StudioOptions options_of(const Words& words, sturnus::Size size) {
   options.history_bytes = static_cast<std::size_t>(words.history.value_or(512)) << 20;
   options.theme = words.theme == "light" ? sturnus::ThemeName::light : sturnus::ThemeName::dark;
   options.in_lockstep = !words.script.empty();
+  options.measures_frames = words.frame_times;
+  if (!options.in_lockstep) options.memory = studio::memory_path();
   return options;
 }
 
@@ -44,6 +50,16 @@ sturnus::Result<studio::Script> read_script(const Words& words) {
   return studio::parse_script(*text, words.script);
 }
 
+void print_times(const studio::Studio& studio, std::size_t boids) {
+  const studio::FrameTimes& times = studio.times();
+  const auto mean = [](double seconds, std::size_t count) {
+    return seconds * 1e3 / static_cast<double>(std::max<std::size_t>(1, count));
+  };
+  std::printf("%zu boids, %zu frames, %zu steps: upload %.2f ms, draw %.1f ms, panels %.1f ms\n", boids,
+              times.frames, times.steps, mean(times.upload, times.steps), mean(times.draw, times.frames),
+              mean(times.panels, times.frames));
+}
+
 int show(const Words& words) {
   const auto size = picture_size("--size", words.size);
   if (!size) return refuse(size.problems());
@@ -59,8 +75,12 @@ int show(const Words& words) {
   studio::Studio& studio = **opened;
   studio.desk().files.watch(studio.desk(), *scenario);
   if (!words.script.empty()) {
+    studio.frame();  // the first one makes ready what the others need
+    studio.forget_times();
     const sturnus::Status played = studio::play(studio, *script, {words.video});
-    return played ? done : fail(played.problems());
+    if (!played) return fail(played.problems());
+    if (words.frame_times) print_times(studio, studio.desk().frame->boids.size());
+    return done;
   }
   while (studio.frame()) {
   }
@@ -77,6 +97,8 @@ void describe(CLI::App& app, Request& request, Words& words) {
   add_text(app, "--script", words.script, "FILE",
            "a visit to play: lines such as  click top.play  or  wait 60");
   add_text(app, "--video", words.video, "OUT.mp4", "a film of that visit, .mp4 or .gif");
+  app.add_flag("--frame-times", words.frame_times,
+               "after a script: what upload, drawing and panels took a frame, with each waited for");
   app.footer(
       "Press ? in the window for its keys. Drop scenarios and states on it to open them.\n"
       "Exit codes: 0 done, 1 no window or failed while running, 2 bad usage or input.");

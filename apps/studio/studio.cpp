@@ -62,6 +62,9 @@ Studio::Studio(Window window, View view, sturnus::Simulation simulation, const S
       session_(std::move(simulation), {options.history_bytes, options.in_lockstep}),
       desk_(session_) {
   desk_.view.theme = options.theme;
+  remembered_ = recall(options.memory);
+  desk_.open.legend = remembered_.legend;
+  desk_.open.hint = remembered_.hint;
 }
 
 Studio::~Studio() = default;
@@ -75,7 +78,10 @@ bool Studio::frame() {
   serve(seconds);
   fly(seconds);
   tell_of_film();
+  counted_ = std::chrono::steady_clock::now();
   show_panels(seconds);
+  count_time(times_.panels);
+  remember_panels();
   notice_hand();
   is_frame_due_ = desk_.recorder.is_due(seconds);
   draw();
@@ -183,25 +189,52 @@ void Studio::show_panels(double seconds) {
   show_help(desk_);
   show_gallery(desk_);
   show_notes(desk_);
+  if (std::exchange(desk_.wants_tracking, false)) toggle_tracking();
   if (desk_.overlay) desk_.overlay();
   ImGui::Render();
 }
 
+void Studio::remember_panels() {
+  const Memory now{desk_.open.legend, desk_.open.hint};
+  if (now == remembered_) return;
+  remembered_ = now;
+  remember(options_.memory, now);
+}
+
 void Studio::draw() {
-  draw_world();
+  resize_camera();
   if (std::exchange(wants_picture_, false)) save_picture();
-  record(false);
+  if (is_frame_due_ && !desk_.recorder.options().with_panels) desk_.recorder.add(picture(false));
+  counted_ = std::chrono::steady_clock::now();
+  draw_world();
+  count_time(times_.draw);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  record(true);
+  count_time(times_.panels);
+  if (is_frame_due_ && desk_.recorder.options().with_panels)
+    desk_.recorder.add(read_pixels(window_.pixels()));
+}
+
+// Adds what passed since the last part of the frame was done, with what the graphics card still had to do.
+void Studio::count_time(double& sum) {
+  if (!options_.measures_frames) return;
+  glFinish();
+  const auto now = std::chrono::steady_clock::now();
+  sum += std::chrono::duration<double>(now - std::exchange(counted_, now)).count();
+  if (&sum != &times_.draw) return;
+  ++times_.frames;
+  if (std::exchange(uploaded_, desk_.frame->serial) == desk_.frame->serial) return;
+  const double upload = view_.times().upload / 1e9;
+  times_.upload += upload;
+  times_.draw -= upload;
+  ++times_.steps;
 }
 
 void Studio::draw_world() {
   const sturnus::Size pixels = window_.pixels();
-  resize_camera();
   view_.upload(*desk_.frame);
   Shapes shapes(desk_.camera, desk_.density);
   for (const auto& add : desk_.shapes) add(shapes);
-  desk_.tools.show(desk_.hand, *desk_.frame, desk_.camera, shapes);
+  desk_.tools.show(desk_.hand, *desk_.frame, desk_.camera, desk_.view.theme, shapes);
   Moment moment;
   moment.part = desk_.playback.part(*desk_.frame);
   moment.seconds = static_cast<float>(desk_.seconds);
@@ -211,26 +244,24 @@ void Studio::draw_world() {
   view_.draw(*desk_.frame, desk_.camera, desk_.view, moment, shapes);
 }
 
+// Without panels the world has the whole window, as a camera sees it that knows of no panels.
 sturnus::Image Studio::picture(bool with_panels) {
+  const Camera kept = desk_.camera;
+  if (!with_panels) desk_.camera.fill();
   draw_world();
+  desk_.camera = kept;
   if (with_panels) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   return read_pixels(window_.pixels());
 }
 
 void Studio::save_picture() {
   const std::string name = new_name(desk_, ".png");
-  const sturnus::Status status = sturnus::save_picture(name, read_pixels(window_.pixels()));
+  const sturnus::Status status = sturnus::save_picture(name, picture(false));
   desk_.say(status ? "The picture is in " + name + "." : status.error(), !status);
 }
 
 void Studio::load(const sturnus::ScenarioDef& scenario) {
   desk_.files.open(desk_, scenario);
-}
-
-// Hands the picture to the film that is being made, before or after the panels were drawn.
-void Studio::record(bool with_panels) {
-  if (is_frame_due_ && desk_.recorder.options().with_panels == with_panels)
-    desk_.recorder.add(read_pixels(window_.pixels()));
 }
 
 void Studio::tell_of_film() {

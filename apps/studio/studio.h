@@ -8,6 +8,7 @@
 #include <string>
 
 #include "desk.h"
+#include "files/memory.h"
 #include "input/imgui_input.h"
 #include "panels/panels.h"
 #include "window.h"
@@ -21,6 +22,18 @@ struct StudioOptions {
   sturnus::ThemeName theme = sturnus::ThemeName::dark;
   /// For tests and films: every frame is a sixtieth of a second, and waits for the steps that are due.
   bool in_lockstep = false;
+  /// Waits for the graphics card after each part of a frame, so that `Studio::times` knows what each took.
+  bool measures_frames = false;
+  std::string memory;  ///< file of what an earlier visit left, see files/memory.h; empty: a first visit
+};
+
+/// What frames took so far, seconds in all.
+struct FrameTimes {
+  double upload = 0;      ///< of steps to the graphics card
+  double draw = 0;        ///< of the world, without uploads
+  double panels = 0;      ///< making and drawing them
+  std::size_t steps = 0;  ///< that were uploaded
+  std::size_t frames = 0;
 };
 
 class Studio {
@@ -34,7 +47,10 @@ class Studio {
   bool frame();
 
   Desk& desk() { return desk_; }
-  /// What the last frame showed, with panels or the world alone.
+  /// Only where the options ask for it; else nothing is counted.
+  const FrameTimes& times() const { return times_; }
+  void forget_times() { times_ = {}; }
+  /// What the last frame showed with its panels, or the world alone in the middle of the picture.
   sturnus::Image picture(bool with_panels);
   /// Opens another scenario in place of this one; undo brings the world back.
   void load(const sturnus::ScenarioDef& scenario);
@@ -59,12 +75,13 @@ class Studio {
   void resize_camera();
   void draw_world();
   void draw();
+  void count_time(double& sum);
   void set_text_scale(float scale);
   void save_picture();
-  void record(bool with_panels);
   void tell_of_film();
   void hear_drop(char* path);
   void toggle_tracking();
+  void remember_panels();
 
   struct ImguiEnd {
     ~ImguiEnd();
@@ -83,6 +100,10 @@ class Studio {
   float loaded_scale_ = 0, loaded_density_ = 0;
   sturnus::Extent fitted_;  // empty before the first frame
   Wishes wished_;
+  FrameTimes times_;
+  std::chrono::steady_clock::time_point counted_;  // when the last part of a frame was done
+  std::uint64_t uploaded_ = 0;                     // the serial of the frame that was counted last
+  Memory remembered_;
   std::string titled_;  // the scenario that the window's title names
   std::chrono::steady_clock::time_point last_frame_ = std::chrono::steady_clock::now();
 };

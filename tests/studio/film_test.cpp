@@ -1,6 +1,7 @@
 // Films and scripted visits: sizes and numbers of frames, what a script does, and how it is refused.
 #include "script/play.h"
 #include "studio_support.h"
+#include "ui.h"
 
 namespace studio {
 namespace {
@@ -82,6 +83,85 @@ TEST_F(StudioFilm, AnItemThatIsNotThereEndsAScriptWithItsLine) {
   const auto status = play(studio(), script_of("wait 2\nclick top.plya\n"), {});
   EXPECT_SAYS(status.error(),
               "visit.txt:2: there is no \"top.plya\" in the window; did you mean \"top.play\"?");
+}
+
+// The menu of the red dot, and the films that it makes.
+class StudioRecording : public test::Ui {
+ protected:
+  void choose(const std::string& item) {
+    press_right("top.record");
+    frames(3);
+    press(item);
+    key(SDLK_ESCAPE);
+    frames(3);
+  }
+  void press_right(const std::string& item) {
+    const Box box = desk().items.at(item);
+    click(box.x + box.width / 2, box.y + box.height / 2, SDL_BUTTON_RIGHT);
+  }
+  // Begins and ends a film with the button, with so many frames of the window between.
+  Film film_of(int count) {
+    desk().film.waits = true;
+    press("top.record");
+    EXPECT_TRUE(desk().recorder.is_recording());
+    frames(count);
+    press("top.record");
+    EXPECT_FALSE(desk().recorder.is_recording());
+    return desk().recorder.finish();
+  }
+  // The first picture of a film, red, green and blue.
+  static std::string pixels_of(const std::string& file) {
+    return output_of("ffmpeg -v error -i " + file + " -frames:v 1 -f rawvideo -pix_fmt rgb24 -");
+  }
+  sturnus::Size window_size() const override { return {640, 480}; }
+};
+
+TEST_F(StudioRecording, TheButtonBeginsAndEndsAGifWhileStepsGoOn) {
+  open("ucsd");
+  choose("film.gif");
+  ASSERT_TRUE(desk().film.is_gif);
+  const std::uint64_t step = world().step;
+  const Film film = film_of(30);
+  ASSERT_TRUE(film.status) << film.status.error();
+  EXPECT_TRUE(film.path.ends_with(".gif")) << film.path;
+  const auto bytes = sturnus::read_text(film.path);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(bytes->substr(0, 6), "GIF89a");
+  EXPECT_EQ(probe(film.path).substr(0, 8), "640,480,");
+  EXPECT_GE(film.frames, 15u);
+  EXPECT_GT(world().step, step);
+}
+
+TEST_F(StudioRecording, FilmsAreWithPanelsOrOfTheWorldAlone) {
+  open("ucsd");
+  pause();
+  const auto pixel = [](const std::string& rgb, int x, int y) {
+    const auto at = static_cast<std::size_t>(3 * (640 * y + x));
+    return static_cast<int>(static_cast<unsigned char>(rgb.at(at)));
+  };
+  const std::string with = pixels_of(film_of(10).path);
+  choose("film.panels");
+  ASSERT_FALSE(desk().film.with_panels);
+  const std::string without = pixels_of(film_of(10).path);
+  ASSERT_EQ(with.size(), std::size_t{640} * 480 * 3);
+  ASSERT_EQ(without.size(), with.size());
+  // The settings' panel is there or it is not; behind it lies the world, which fills the picture.
+  const Box panel = desk().layout.inspector;
+  int differing = 0;
+  for (int y = static_cast<int>(panel.y); y < static_cast<int>(panel.y + panel.height); y += 3) {
+    const int x = static_cast<int>(panel.x + panel.width / 2);
+    differing += std::abs(pixel(with, x, y) - pixel(without, x, y)) > 12;
+  }
+  EXPECT_GT(differing, 10);
+  // Left and right of the world the ground is equally wide.
+  const auto margin = [&](bool from_right) {
+    for (int i = 0; i < 320; ++i) {
+      const int x = from_right ? 639 - i : i;
+      if (pixel(without, x, 240) > 150) return i;
+    }
+    return 320;
+  };
+  EXPECT_NEAR(margin(false), margin(true), 4);
 }
 
 TEST(StudioScript, FaultsAreSentencesWithTheirLines) {

@@ -77,10 +77,10 @@ TEST_F(StudioPace, AMouseOverTheWorldLooksAtNoBoid) {
     const Point at = tools.place({300, 200, true}, frame, camera);
     EXPECT_NEAR(dot(at - Point{20, 30, 40}, camera.forward()), 0, 1e-3);
     Shapes shown(camera, 1), shown_without(camera, 1);
-    tools.show({300, 200, true}, frame, camera, shown);
+    tools.show({300, 200, true}, frame, camera, sturnus::ThemeName::dark, shown);
     Frame empty = frame;
     empty.boids.clear();
-    tools.show({300, 200, true}, empty, camera, shown_without);
+    tools.show({300, 200, true}, empty, camera, sturnus::ThemeName::dark, shown_without);
     ASSERT_EQ(shown.triangles().size(), shown_without.triangles().size());
     for (std::size_t i = 0; i < shown.triangles().size(); ++i)
       EXPECT_EQ(shown.triangles()[i].position, shown_without.triangles()[i].position);

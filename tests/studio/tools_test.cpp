@@ -365,6 +365,23 @@ TEST_F(StudioTools, EscapeClosesTheViewMenu) {
   EXPECT_FALSE(desk().items.contains("view.trails"));
 }
 
+TEST_F(StudioTools, APictureShowsTheWorldAloneAndInItsMiddle) {
+  open("ucsd");
+  pause();
+  frames(2);
+  const sturnus::Image image = studio_->picture(false);
+  const auto is_edge = [&](int px, int py) { return image.at(px, py).g > 200; };
+  int left = 0, right = 0, above = 0, below = 0;
+  const int middle = image.height / 2;
+  while (left < image.width && !is_edge(left, middle)) ++left;
+  while (right < image.width && !is_edge(image.width - 1 - right, middle)) ++right;
+  while (above < image.height && !is_edge(image.width / 2 + 3, above)) ++above;
+  while (below < image.height && !is_edge(image.width / 2 + 3, image.height - 1 - below)) ++below;
+  EXPECT_NEAR(left, right, 2);
+  EXPECT_NEAR(above, below, 2);
+  EXPECT_LT(std::min(left, above), 0.1 * image.height) << "as large as it fits";
+}
+
 TEST_F(StudioTools, APictureOfTheWorldIsSaved) {
   open("ucsd");
   pause();

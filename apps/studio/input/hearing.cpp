@@ -9,7 +9,8 @@ namespace {
 
 constexpr float zoom_per_notch = 1.15f;
 constexpr float text_per_press = 1.1f;
-constexpr float flight_per_second = 0.8f;  // of the distance to the middle
+constexpr float least_width = 520, least_height = 380;  // points that panels need at the usual size of text
+constexpr float flight_per_second = 0.8f;               // of the distance to the middle
 
 bool is_command(const SDL_Keysym& key) {
   return (key.mod & (KMOD_CTRL | KMOD_GUI)) != 0;
@@ -220,7 +221,10 @@ void Studio::fly(double seconds) {
 }
 
 void Studio::set_text_scale(float scale) {
-  desk_.text_scale = std::clamp(scale, 0.6f, 2.5f);
+  const sturnus::Size points = window_.points();
+  const float most = std::min(static_cast<float>(points.width) / least_width,
+                              static_cast<float>(points.height) / least_height);
+  desk_.text_scale = std::clamp(scale, 0.6f, std::clamp(most, 1.0f, 2.5f));
 }
 
 }  // namespace studio

@@ -85,8 +85,10 @@ void show_totals(Desk& desk) {
        {"obstacles", frame.obstacles.size()},
        {"food", frame.food.size()},
        {"a click", static_cast<std::size_t>(desk.tools.units_per_click())}}};
-  if (!ImGui::BeginTable("totals", static_cast<int>(totals.size()), ImGuiTableFlags_SizingFixedFit)) return;
-  ImGui::TableNextRow();
+  // Each is as wide as the word "obstacles"; two rows where five do not fit.
+  const float wide = ImGui::CalcTextSize("obstacles").x;
+  const int columns = ImGui::GetContentRegionAvail().x < 4.4f * wide ? 3 : static_cast<int>(totals.size());
+  if (!ImGui::BeginTable("totals", columns, ImGuiTableFlags_SizingFixedFit)) return;
   for (const auto& [name, number] : totals) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(std::to_string(number).c_str());

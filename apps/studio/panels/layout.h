@@ -6,5 +6,7 @@
 namespace studio {
 
 Layout lay_out(const Desk& desk, sturnus::Size points);
+/// What the panels at the edges leave free.
+Box free_area(const Desk& desk);
 
 }  // namespace studio

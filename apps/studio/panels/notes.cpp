@@ -1,6 +1,7 @@
 // What people are told: sentences in a strip above the bottom panel, and three lines at the first start.
 #include <algorithm>
 
+#include "panels/layout.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
@@ -15,20 +16,22 @@ constexpr const char* hints[] = {"Press S to scatter the flock under the cursor.
                                  "Drag with the left button: the flock follows.",
                                  "The sliders at the right change how it flies; ? shows all keys."};
 
-void show_hint(const Desk& desk) {
-  if (desk.seconds > hint_seconds) return;
+void show_hint(Desk& desk) {
+  if (desk.seconds > hint_seconds) desk.open.hint = false;
+  if (!desk.open.hint) return;
   const double left = std::min(1.0, (hint_seconds - desk.seconds) / fading_seconds);
   const Palette& colours = palette(desk.view.theme);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float left_edge = desk.layout.tools.x + desk.layout.tools.width;
-  const float legend = desk.open.legend ? 190 * desk.text_scale : 0;
-  const float middle = (left_edge + desk.layout.inspector.x - legend) / 2;
-  float y = desk.layout.tools.y + 24 * desk.text_scale;
+  Box free = free_area(desk);
+  if (shows_legend(desk)) free.width -= desk.items["legend"].width + 8;
+  const float width = std::min(free.width - 16, 30 * ImGui::GetFontSize());
+  if (width < 6 * ImGui::GetFontSize()) return;
+  float y = free.y + 16 * desk.text_scale;
   for (const char* line : hints) {
-    const ImVec2 size = ImGui::CalcTextSize(line);
+    const ImVec2 size = ImGui::CalcTextSize(line, nullptr, false, width);
     const sturnus::Rgba colour = sturnus::with_alpha(colours.text, 0.85f * static_cast<float>(left));
-    list.AddText({middle - size.x / 2, y}, packed(colour), line);
-    y += size.y * 1.5f;
+    list.AddText(nullptr, 0, {free.x + (free.width - size.x) / 2, y}, packed(colour), line, nullptr, width);
+    y += size.y + ImGui::GetTextLineHeight() * 0.5f;
   }
 }
 
@@ -45,9 +48,7 @@ void show_notes(Desk& desk) {
   if (desk.notes.empty()) return;
   const Box& low = desk.layout.bottom;
   ImGui::SetNextWindowPos({low.x + low.width / 2, low.y - 8}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::Begin("notes", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("notes", nullptr, floating);
   for (ShownNote& shown : desk.notes) {
     const Palette& colours = palette(desk.view.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(shown.note.is_problem ? colours.problem : colours.text));

@@ -10,6 +10,8 @@ void show_top_bar(Desk& desk);
 void show_view_menu(Desk& desk);
 void show_tool_column(Desk& desk);
 void show_legend(Desk& desk);
+/// Whether the legend is seen: unfolded, and either there is room for it or somebody asked for it.
+bool shows_legend(const Desk& desk);
 void show_inspector(Desk& desk);
 void show_bottom(Desk& desk);
 void show_help(Desk& desk);

@@ -118,7 +118,9 @@ void show_values(const Plot& plot, const PlotLine& line) {
   for (const Curve& curve : plot.curves) {
     const std::string text =
         (curve.name.empty() ? plot.title : curve.name) + "  " + number(curve.value(line)) + " " + plot.unit;
+    if (plot.curves.size() > 1) ImGui::PushStyleColor(ImGuiCol_Text, packed(curve.colour));
     ImGui::TextUnformatted(text.c_str());
+    if (plot.curves.size() > 1) ImGui::PopStyleColor();
   }
   ImGui::EndTooltip();
 }
@@ -141,21 +143,48 @@ void show_hovered(const Plot& plot, const std::vector<PlotLine>& lines, const Ar
   show_values(plot, *nearest);
 }
 
+// The names of a plot's curves with what they are now, each in its colour, as far as there is room; the
+// tooltip has all. Returns how wide that is.
+float show_names(const Plot& plot, const PlotLine& line, ImVec2 right_top, float room, ImDrawList& list) {
+  float x = right_top.x;
+  for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
+    const bool is_alone = plot.curves.size() == 1;
+    const std::string text = (is_alone ? "" : curve->name + " ") + number(curve->value(line));
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    if (right_top.x - x + width > room) break;
+    x -= width;
+    list.AddText({x, right_top.y}, is_alone ? ImGui::GetColorU32(ImGuiCol_Text) : packed(curve->colour),
+                 text.c_str());
+    x -= ImGui::GetFontSize() * 0.6f;
+  }
+  return right_top.x - x;
+}
+
+// The title and the names above the curves; returns how high they are.
+float show_plot_head(const Plot& plot, const PlotLine& line, ImVec2 at, float width, ImDrawList& list) {
+  const float text = ImGui::GetTextLineHeight();
+  const bool has_row = plot.curves.size() > 1;  // several names have a row of their own
+  const float title = ImGui::CalcTextSize(plot.title.c_str()).x;
+  const float least = has_row ? width : 0.45f * width;
+  const float names = show_names(plot, line, {at.x + width, has_row ? at.y + text : at.y},
+                                 std::max(least, width - title - ImGui::GetFontSize()), list);
+  list.AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+               shortened(plot.title, has_row ? width : width - names).c_str());
+  return has_row ? 2 * text : text;
+}
+
 void show_plot(Desk& desk, const Plot& plot, ImVec2 size) {
   const std::vector<PlotLine>& lines = desk.plots.lines;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float text = ImGui::GetTextLineHeight(), inset = 8;
+  const float inset = 8;
   ImGui::InvisibleButton(plot.name.c_str(), size);
   mark(desk, "plot." + plot.name);
   const bool is_hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.45f), 6);
-  list.AddText({at.x + inset, at.y + 4}, ImGui::GetColorU32(ImGuiCol_TextDisabled), plot.title.c_str());
   if (lines.empty()) return;
-  const std::string now = plot.curves.size() == 1 ? number(plot.curves[0].value(lines.back())) : "";
-  list.AddText({at.x + size.x - inset - ImGui::CalcTextSize(now.c_str()).x, at.y + 4},
-               ImGui::GetColorU32(ImGuiCol_Text), now.c_str());
-  Area area{{at.x + inset, at.y + text + inset},
+  const float head = show_plot_head(plot, lines.back(), {at.x + inset, at.y + 4}, size.x - 2 * inset, list);
+  Area area{{at.x + inset, at.y + head + inset},
             {at.x + size.x - inset, at.y + size.y - inset},
             static_cast<double>(lines.front().sample.measures.step),
             static_cast<double>(lines.back().sample.measures.step),
@@ -187,7 +216,14 @@ void save_plot(Desk& desk) {
 
 }  // namespace
 
-void show_plot_chips(Desk& desk) {
+void show_plot_files(Desk& desk) {
+  if (button(desk, "plots.csv", "CSV", "Save all measures as a table in the current folder")) save_csv(desk);
+  ImGui::SameLine(0, 4);
+  if (button(desk, "plots.png", "PNG", "Save all measures as a picture in the current folder"))
+    save_plot(desk);
+}
+
+void show_plot_chips(Desk& desk, bool is_short) {
   if (button(desk, "plots.choose", "plots \u25be", "Which plots are shown")) ImGui::OpenPopup("choose plots");
   if (ImGui::BeginPopup("choose plots")) {
     for (const Plot& plot : all_plots(desk)) {
@@ -197,26 +233,30 @@ void show_plot_chips(Desk& desk) {
         if (!on) desk.plots.shown.erase(plot.name);
       }
     }
+    if (is_short) show_plot_files(desk);
     end_popup();
   }
+  if (is_short) return;
   ImGui::SameLine(0, 4);
-  if (button(desk, "plots.csv", "CSV", "Save all measures as a table in the current folder")) save_csv(desk);
-  ImGui::SameLine(0, 4);
-  if (button(desk, "plots.png", "PNG", "Save all measures as a picture in the current folder"))
-    save_plot(desk);
+  show_plot_files(desk);
 }
 
+// Where all do not fit beside each other, the row scrolls.
 void show_plots(Desk& desk) {
   std::vector<Plot> plots = all_plots(desk);
   std::erase_if(plots, [&](const Plot& plot) { return !desk.plots.shown.contains(plot.name); });
   if (plots.empty()) return faint("Choose plots at the right end of the timeline.");
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float gap = 8, least = ImGui::GetFontSize() * 8;
   const auto count = static_cast<float>(plots.size());
-  const float width = (room.x - 8 * (count - 1)) / count;
-  for (std::size_t i = 0; i < plots.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, 8);
-    show_plot(desk, plots[i], {std::max(24.0f, width), std::max(24.0f, room.y)});
+  const float width = std::max(least, (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count);
+  if (ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar)) {
+    const float height = ImGui::GetContentRegionAvail().y;
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+      if (i > 0) ImGui::SameLine(0, gap);
+      show_plot(desk, plots[i], {std::floor(width), std::max(24.0f, height)});
+    }
   }
+  ImGui::EndChild();
 }
 
 }  // namespace studio

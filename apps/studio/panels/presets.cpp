@@ -45,7 +45,9 @@ void show_presets(Desk& desk, std::size_t flock) {
   const std::string name = desk.scenario().flocks[flock].name;
   bool is_first = true;
   for (const Preset& preset : presets) {
-    if (!is_first) ImGui::SameLine(0, 4);
+    const float width = ImGui::CalcTextSize(preset.name).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    if (!is_first && ImGui::GetItemRectMax().x + 4 + width <= right) ImGui::SameLine(0, 4);
     is_first = false;
     if (button(desk, "inspector.flock." + name + ".preset." + preset.name, preset.name, preset.text))
       apply(desk, name, preset);

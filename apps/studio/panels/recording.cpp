@@ -17,15 +17,24 @@ std::string clock_text(double seconds) {
   return text;
 }
 
-void show_choices(FilmOptions& film) {
-  faint("film");
-  if (ImGui::RadioButton("video (mp4)", !film.is_gif)) film.is_gif = false;
+bool show_choice(Desk& desk, const char* name, const char* text, bool is_on) {
+  const bool is_pressed = ImGui::RadioButton(text, is_on);
+  mark(desk, name);
+  return is_pressed;
+}
+
+void show_choices(Desk& desk) {
+  FilmOptions& film = desk.film;
+  faint(desk.recorder.is_recording() ? "the next film" : "film");
+  if (show_choice(desk, "film.mp4", "video (mp4)", !film.is_gif)) film.is_gif = false;
   ImGui::SameLine();
-  if (ImGui::RadioButton("GIF", film.is_gif)) film.is_gif = true;
-  if (ImGui::RadioButton("30 pictures a second", film.frames_per_second == 30)) film.frames_per_second = 30;
+  if (show_choice(desk, "film.gif", "GIF", film.is_gif)) film.is_gif = true;
+  if (show_choice(desk, "film.30", "30 pictures a second", film.frames_per_second == 30))
+    film.frames_per_second = 30;
   ImGui::SameLine();
-  if (ImGui::RadioButton("60", film.frames_per_second == 60)) film.frames_per_second = 60;
+  if (show_choice(desk, "film.60", "60", film.frames_per_second == 60)) film.frames_per_second = 60;
   ImGui::Checkbox("with panels", &film.with_panels);
+  mark(desk, "film.panels");
 }
 
 }  // namespace
@@ -37,10 +46,10 @@ void show_recording(Desk& desk) {
   const bool is_pressed = ImGui::Button((text + "###record").c_str());
   ImGui::PopStyleColor();
   mark(desk, "top.record");
-  tip(is_on ? "End the film (r)" : "Begin a film (r); right click: what it is like");
+  tip(is_on ? "End the film (r)" : "Begin a film (r); right click: what films are like");
   if (is_pressed) desk.toggle_recording();
-  if (is_on || !ImGui::BeginPopupContextItem("film")) return;
-  show_choices(desk.film);
+  if (!ImGui::BeginPopupContextItem("film")) return;
+  show_choices(desk);
   end_popup();
 }
 

@@ -41,8 +41,8 @@ namespace {
 void set_measures(ImGuiStyle& style) {
   style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = 6;
   style.GrabRounding = style.ScrollbarRounding = style.TabRounding = 6;
-  style.WindowBorderSize = 1;
-  style.FrameBorderSize = style.PopupBorderSize = 0;
+  style.WindowBorderSize = style.PopupBorderSize = 1;
+  style.FrameBorderSize = 0;
   style.WindowPadding = {12, 8};
   style.FramePadding = {8, 4};
   style.ItemSpacing = {8, 4};
@@ -73,7 +73,7 @@ void set_colours(ImGuiStyle& style, const Palette& colours) {
   set(ImGuiCol_ScrollbarGrabHovered, colours.faint);
   set(ImGuiCol_ScrollbarGrabActive, colours.faint);
   set(ImGuiCol_CheckMark, colours.accent);
-  set(ImGuiCol_SliderGrab, colours.accent, 0.85f);
+  set(ImGuiCol_SliderGrab, colours.accent, 0.6f);  // numbers stand above it
   set(ImGuiCol_SliderGrabActive, colours.accent);
   set(ImGuiCol_Button, colours.raised);
   set(ImGuiCol_ButtonHovered, colours.outline);

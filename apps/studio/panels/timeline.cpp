@@ -41,7 +41,7 @@ void draw_line(const Desk& desk, ImVec2 low, ImVec2 high, float part) {
 
 }  // namespace
 
-void show_timeline(Desk& desk) {
+void show_timeline(Desk& desk, bool is_short) {
   const Reach& reach = desk.frame->reach;
   show_undo(desk);
   ImGui::SameLine(0, 16);
@@ -49,8 +49,9 @@ void show_timeline(Desk& desk) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(step.c_str());
   mark(desk, "timeline.step");
-  ImGui::SameLine(ImGui::GetCursorStartPos().x + ImGui::GetFontSize() * 13);
-  const float width = std::max(40.0f, ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 14.5f);
+  ImGui::SameLine(ImGui::GetCursorStartPos().x + ImGui::GetFontSize() * (is_short ? 11.0f : 13.0f));
+  const float behind = ImGui::GetFontSize() * (is_short ? 8.0f : 14.5f);
+  const float width = std::max(40.0f, ImGui::GetContentRegionAvail().x - behind);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("timeline", {width, ImGui::GetFrameHeight()});
   mark(desk, "timeline");

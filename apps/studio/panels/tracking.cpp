@@ -44,6 +44,17 @@ std::string number(double value) {
   return text;
 }
 
+// In as few letters as a narrow table has room for.
+std::string brief(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text,
+                std::abs(value) >= 100   ? "%.0f"
+                : std::abs(value) < 0.01 ? "%.1g"
+                                         : "%.2g",
+                value);
+  return text;
+}
+
 std::string readable(std::string text) {
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
@@ -138,7 +149,7 @@ void show_buttons(Desk& desk, const sturnus::Explanation& told) {
 void show_line(const char* name, const std::string& value) {
   faint(name);
   ImGui::SameLine(ImGui::GetFontSize() * 7);
-  ImGui::TextUnformatted(value.c_str());
+  ImGui::TextWrapped("%s", value.c_str());
 }
 
 void show_facts(const sturnus::Explanation& told) {
@@ -149,7 +160,7 @@ void show_facts(const sturnus::Explanation& told) {
   show_line("neighbours", std::to_string(counted));
 }
 
-void show_term(Desk& desk, const sturnus::ExplainedTerm& term) {
+void show_term(Desk& desk, const sturnus::ExplainedTerm& term, bool is_narrow) {
   const bool is_hidden = desk.tracking.hidden.contains(term.kind);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -163,21 +174,31 @@ void show_term(Desk& desk, const sturnus::ExplainedTerm& term) {
   const bool is_felt = length(term.felt) > 0;
   ImGui::PushStyleColor(ImGuiCol_Text,
                         ImGui::GetStyleColorVec4(is_felt ? ImGuiCol_Text : ImGuiCol_TextDisabled));
-  ImGui::TextUnformatted(readable(term.name).c_str());
-  tip(term.formula + (term.source.empty() ? "" : "\nSource: " + term.source));
-  for (const float value : {term.weight, length(term.felt), length(term.granted)}) {
+  const std::string weight = brief(static_cast<double>(term.weight)),
+                    felt = brief(static_cast<double>(length(term.felt)));
+  ImGui::TextWrapped("%s", readable(term.name).c_str());  // a long name takes two lines
+  mark(desk, "tracking.name." + term.name);
+  tip("Weight " + weight + ", felt " + felt + "\n" + term.formula +
+      (term.source.empty() ? "" : "\nSource: " + term.source));
+  const std::string gets = brief(static_cast<double>(length(term.granted)));
+  for (const std::string& text : is_narrow ? std::vector{gets} : std::vector{weight, felt, gets}) {
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(number(static_cast<double>(value)).c_str());
+    ImGui::TextUnformatted(text.c_str());
   }
   ImGui::PopStyleColor();
   ImGui::TableNextColumn();
   faint(term.neighbours ? std::to_string(*term.neighbours) : "\u00b7");
 }
 
+// Where there is little room, weight and what is felt are only in the tooltips.
 void show_table(Desk& desk, const sturnus::Explanation& told) {
-  if (!ImGui::BeginTable("terms", 5, ImGuiTableFlags_SizingStretchProp)) return;
-  const char* heads[] = {"term", "weight", "felt", "gets", "of"};
-  for (int i = 0; i < 5; ++i) ImGui::TableSetupColumn(heads[i], 0, i == 0 ? 3.0f : 1.4f);
+  const bool is_narrow = ImGui::GetContentRegionAvail().x < 17 * ImGui::GetFontSize();
+  std::vector<const char*> heads{"term", "weight", "felt", "gets", "of"};
+  if (is_narrow) heads = {"term", "gets", "of"};
+  if (!ImGui::BeginTable("terms", static_cast<int>(heads.size()), ImGuiTableFlags_SizingFixedFit)) return;
+  for (const char* head : heads)
+    ImGui::TableSetupColumn(
+        head, head == heads.front() ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableNextRow();
   for (const char* head : heads) {
     ImGui::TableNextColumn();
@@ -185,7 +206,7 @@ void show_table(Desk& desk, const sturnus::Explanation& told) {
     tip("Weight as set; felt before the weight; what the term gets of the acceleration; of how many "
         "neighbours");
   }
-  for (const sturnus::ExplainedTerm& term : told.terms) show_term(desk, term);
+  for (const sturnus::ExplainedTerm& term : told.terms) show_term(desk, term, is_narrow);
   ImGui::EndTable();
 }
 

@@ -1,11 +1,14 @@
 // What is drawn, and how.
+#include <algorithm>
+
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
 namespace studio {
 namespace {
 
-constexpr const char* colours[] = {"flock", "heading", "speed", "neighbours", "drifting"};
+constexpr const char* colours[] = {"as the scenario says", "flock",   "heading", "speed",
+                                   "neighbours",           "drifting"};
 constexpr const char* looks[] = {"as the scenario says", "arrows", "fish", "birds", "points"};
 
 // A word of a list.
@@ -37,9 +40,13 @@ void show_view_menu(Desk& desk) {
   if (button(desk, "top.view", "view", "Colours, forms, trails, grid and cells"))
     ImGui::OpenPopup("view menu");
   const Box below = desk.items["top.view"];
-  ImGui::SetNextWindowPos({below.x, desk.layout.top.y + desk.layout.top.height + 4});
+  const float width = 18 * ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({std::max(8.0f, std::min(below.x, desk.layout.world.width - width)),
+                           desk.layout.top.y + desk.layout.top.height + 4});
   if (!ImGui::BeginPopup("view menu")) return;
-  choose(desk, "colour", colours, desk.view.colour_by, "What a unit's colour tells");
+  choose(desk, "colour", colours, desk.view.colour_by,
+         "What a unit's colour tells: its flock, where it flies, how fast, among how many, or the colour of "
+         "its own that drifts towards its neighbours', in scenarios that have such colours");
   choose(desk, "look", looks, desk.view.look, "How a unit is drawn");
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
   ImGui::SliderFloat("size", &desk.view.size, 0.25f, 8, "%.2f", ImGuiSliderFlags_Logarithmic);

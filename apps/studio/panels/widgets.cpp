@@ -20,12 +20,12 @@ void tip(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-bool begin_panel(const char* name, const Box& box) {
+bool begin_panel(const char* name, const Box& box, ImGuiWindowFlags more) {
   ImGui::SetNextWindowPos({box.x, box.y});
   ImGui::SetNextWindowSize({box.width, box.height});
   return ImGui::Begin(name, nullptr,
                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | more);
 }
 
 void end_panel() {
@@ -56,6 +56,17 @@ bool button(Desk& desk, const std::string& name, const char* text, const std::st
   mark(desk, name);
   tip(explanation);
   return pressed;
+}
+
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  std::string out = text;
+  while (!out.empty() && ImGui::CalcTextSize((out + "\u2026").c_str()).x > width) {
+    while (out.size() > 1 && (static_cast<unsigned char>(out.back()) & 0xc0) == 0x80) out.pop_back();
+    out.pop_back();
+  }
+  while (!out.empty() && out.back() == ' ') out.pop_back();
+  return out + "\u2026";
 }
 
 void faint(const std::string& text) {

@@ -12,7 +12,7 @@ void mark(Desk& desk, const std::string& name);
 /// Explains the widget that was made last, after a short rest of the mouse on it.
 void tip(const std::string& text);
 /// A plain window at a fixed place.
-bool begin_panel(const char* name, const Box& box);
+bool begin_panel(const char* name, const Box& box, ImGuiWindowFlags more = 0);
 void end_panel();
 /// Ends a popup, which Escape closes.
 void end_popup();
@@ -22,5 +22,11 @@ bool toggle(Desk& desk, const std::string& name, const char* text, bool& on, con
 bool button(Desk& desk, const std::string& name, const char* text, const std::string& explanation);
 /// Text in the faint colour.
 void faint(const std::string& text);
+/// A text, or what fits of it into so many points, with three dots at its end.
+std::string shortened(const std::string& text, float width);
+/// A window that is as large as what it holds, at a place of its own.
+constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
 
 }  // namespace studio

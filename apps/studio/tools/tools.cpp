@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "session/creatures.h"
+#include "view/colours.h"
 
 namespace studio {
 namespace {
@@ -275,9 +276,10 @@ void Tools::point(const Hand& hand, sturnus::PointerMode mode, bool pressed, con
   });
 }
 
-void Tools::show(const Hand& hand, const Frame& frame, const Camera& camera, Shapes& shapes) const {
+void Tools::show(const Hand& hand, const Frame& frame, const Camera& camera, sturnus::ThemeName theme,
+                 Shapes& shapes) const {
   if (!hand.in_view) return;
-  const sturnus::Rgba colour = info_of(tool).colour;
+  const sturnus::Rgba colour = colour_on(theme, info_of(tool).colour);
   const bool has_reach = tool == Tool::eraser || tool == Tool::scatter;
   const Point at = place(hand, frame, camera);
   const float pixel = camera.pixel_length(at);

@@ -54,7 +54,8 @@ class Tools {
   /// Everyone near the cursor flies away.
   void scatter(const Hand& hand, const Frame& frame, const Camera& camera, Session& session);
   /// The tool's ring at the cursor, in its colour.
-  void show(const Hand& hand, const Frame& frame, const Camera& camera, Shapes& shapes) const;
+  void show(const Hand& hand, const Frame& frame, const Camera& camera, sturnus::ThemeName theme,
+            Shapes& shapes) const;
   /// The flocks among which the tool can choose, the one to which it adds (nobody: there is none), and the
   /// choice of the next one.
   std::vector<std::size_t> choices(const sturnus::ScenarioDef& scenario) const;
