@@ -121,6 +121,7 @@ template <int D>
 HWY_NOINLINE LaneVec<D> AvoidObstacles(const TermModel& term, const Group<D>& group) {
   const Floats d;
   const Motion<D>& motion = group.motion;
+  if (motion.part.asks_obstacles) return AskEach(term, group, group.counted);
   std::vector<std::uint32_t>& lanes = motion.part.lanes_of_obstacles;
   std::vector<std::uint32_t>& felt = motion.part.felt_obstacles;
   const std::uint32_t asking = BitsOf(FindObstacles(term, group, lanes));
@@ -393,11 +394,13 @@ HWY_INLINE Lanes_mask MembersOf(const Motion<D>& motion, std::size_t first, std:
 template <int D>
 HWY_INLINE void LookAround(Group<D>& group) {
   Motion<D>& motion = group.motion;
-  motion.part.near_obstacles.count = 0;
-  if (motion.part.block_obstacles.count == 0 && !group.flock.feed) return;
+  PartScratch& part = motion.part;
+  part.near_obstacles.count = 0;
+  part.asks_obstacles = part.has_many_obstacles;
+  if (part.block_obstacles.count == 0 && !group.flock.feed) return;
   group.box = BoxOf(BoundsOf(group.position, group.counted));
-  Select<D>(motion.part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach,
-            motion.part.near_obstacles);
+  Select<D>(part.block_obstacles, motion.image, group.box, motion.model.obstacle_reach, part.near_obstacles);
+  part.asks_obstacles = part.asks_obstacles || part.near_obstacles.count > many_for_group;
 }
 
 template <int D>
@@ -427,20 +430,26 @@ inline bool LooksForObstacles(const FlockModel& flock) {
 template <int D>
 HWY_INLINE void LookFar(Motion<D>& motion, std::size_t begin, std::size_t end) {
   const auto& flocks = motion.model.flocks;
-  motion.part.block_obstacles.count = 0;
+  PartScratch& part = motion.part;
+  part.block_obstacles.count = 0;
+  part.has_many_obstacles = false;
   if (motion.scratch.obstacles.empty() || std::none_of(flocks.begin(), flocks.end(), LooksForObstacles))
     return;
+  const ObstacleColumns& all = motion.scratch.obstacles.columns();
+  part.has_many_obstacles = AreTooMany(all, end - begin);
+  if (part.has_many_obstacles) return;
   Bounds<D> bounds = NoBounds<D>();
   for (std::size_t first = begin; first < end; first += width) {
     const LaneVec<D> places = LoadVec<D>(motion.state.position, std::min(first, end - width));
     Widen(bounds, places, AreSoundPlaces(places));
   }
-  const ObstacleColumns& all = motion.scratch.obstacles.columns();
-  motion.part.block_obstacles.fit(all.count);
-  motion.part.near_obstacles.fit(all.count);
-  motion.part.lanes_of_obstacles.reserve(all.count);
-  motion.part.felt_obstacles.reserve(all.count);
-  Select<D>(all, motion.image, BoxOf(bounds), motion.model.obstacle_reach, motion.part.block_obstacles);
+  part.block_obstacles.fit(all.count);
+  part.near_obstacles.fit(all.count);
+  part.lanes_of_obstacles.reserve(all.count);
+  part.felt_obstacles.reserve(all.count);
+  Select<D>(all, motion.image, BoxOf(bounds), motion.model.obstacle_reach, part.block_obstacles);
+  part.has_many_obstacles = part.block_obstacles.count > many_for_block;
+  if (part.has_many_obstacles) part.block_obstacles.count = 0;
 }
 
 // The last lanes go back over boids that have moved: that changes nothing, since all is read from the state

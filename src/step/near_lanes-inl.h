@@ -20,6 +20,17 @@ namespace HWY_NAMESPACE {
 
 static_assert(width <= ObstacleColumns::spare);
 
+// Where more obstacles than these are near a block or a group of boids, each boid asks the obstacles' index,
+// as the plain loop does: a boid has few of them near, lanes would ask about all. By measurement; both ways
+// end in the same bits. Wide registers, which also pack in one instruction what they keep, stand more.
+constexpr std::size_t many_for_block = (width < 16 ? 64 : 256) * width;
+constexpr std::size_t many_for_group = (width < 16 ? 8 : 16) * width;
+
+// Whether even ruling them out for so many boids costs more than that.
+inline bool AreTooMany(const ObstacleColumns& obstacles, std::size_t boids) {
+  return obstacles.count > many_for_block + 2 * width * boids;
+}
+
 template <int D>
 HWY_INLINE Lanes_mask AreSoundPlaces(const LaneVec<D>& places) {
   const Floats d;

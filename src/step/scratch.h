@@ -19,6 +19,8 @@ struct PartScratch {
   std::vector<std::uint32_t> fallen;                ///< boids that went bad in this step
   std::vector<std::uint32_t> eaters;                ///< slots of those who touch food
   ObstacleColumns block_obstacles, near_obstacles;  ///< near the boids at hand
+  bool has_many_obstacles = false;                  ///< near the block: lanes have none, boids ask the index
+  bool asks_obstacles = false;                      ///< the same of the group at hand
   std::vector<std::uint32_t> lanes_of_obstacles;    ///< who may feel each of them
   std::vector<std::uint32_t> felt_obstacles;        ///< by one boid
   std::vector<Pieces::Run> food_runs;               ///< near the boids at hand

@@ -23,44 +23,73 @@ HWY_INLINE Lanes WayOf(const Motion<D>& motion, const LaneVec<D>& from, std::siz
   return hn::Mul(hn::Set(Floats(), 1.0001f), Length(Offset(from, to, motion.image)));
 }
 
-// The obstacles that somebody of the stretch may be as near to as he goes.
+// Boids that stand one after the other: where, and how far the longest way among them is.
 template <int D>
-HWY_INLINE void SelectFor(Motion<D>& motion, float body, std::size_t begin, std::size_t end) {
+struct Going {
+  Bounds<D> bounds;
+  Lanes longest;
+};
+
+template <int D>
+HWY_INLINE Going<D> GoingFrom(const Motion<D>& motion, std::size_t begin, std::size_t end) {
   const Floats d;
-  Bounds<D> bounds = NoBounds<D>();
-  Lanes longest = hn::Zero(d);
+  Going<D> going{NoBounds<D>(), hn::Zero(d)};
   for (std::size_t first = begin; first < end; first += width) {
     const std::size_t count = std::min<std::size_t>(width, end - first);
     const LaneVec<D> from = LoadSomeVec<D>(motion.state.position, first, count);
-    Widen(bounds, from, AreSoundPlaces(from));
+    Widen(going.bounds, from, AreSoundPlaces(from));
     const Lanes way = WayOf(motion, from, first, count);
-    longest = hn::Max(longest, hn::IfThenElseZero(hn::Le(way, hn::Set(d, 1e30f)), way));
+    going.longest = hn::Max(going.longest, hn::IfThenElseZero(hn::Le(way, hn::Set(d, 1e30f)), way));
   }
-  const ObstacleColumns& all = motion.scratch.obstacles.columns();
-  motion.part.near_obstacles.fit(all.count);
-  Select<D>(all, motion.image, BoxOf(bounds), body + hn::GetLane(hn::MaxOfLanes(d, longest)),
-            motion.part.near_obstacles);
+  return going;
 }
 
+// The obstacles that one of them may be as near to as he goes.
+template <int D>
+HWY_INLINE void SelectFor(const Motion<D>& motion, const Going<D>& going, float body,
+                          const ObstacleColumns& from, ObstacleColumns& to) {
+  const float longest = hn::GetLane(hn::MaxOfLanes(Floats(), going.longest));
+  Select<D>(from, motion.image, BoxOf(going.bounds), body + longest, to);
+}
+
+// Sweeps those of a register who may be near one of the obstacles.
+template <int D>
+HWY_INLINE void KeepOutLanes(Motion<D>& motion, const ObstacleColumns& near, float body, std::size_t first,
+                             std::size_t count) {
+  const Floats d;
+  const LaneVec<D> from = LoadSomeVec<D>(motion.state.position, first, count);
+  const Lanes reach = hn::Add(WayOf(motion, from, first, count), hn::Set(d, 1.0001f * body));
+  auto may = hn::FirstN(d, 0);
+  for (std::size_t k = 0; k < near.count; ++k)
+    may = hn::Or(may, LookAt<D>(near, k, motion.image, from, reach).near);
+  if (hn::AllFalse(d, may)) return;
+  HWY_ALIGN float is_near[width];
+  hn::Store(hn::IfThenElseZero(may, hn::Set(d, 1.0f)), d, is_near);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (is_near[lane] != 0) keep_out(motion, first + lane, first + lane + 1);
+  }
+}
+
+// From the obstacles near all to those near a register; where there are many, each boid asks their index.
 template <int D>
 HWY_INLINE void KeepOut(Motion<D>& motion, std::size_t begin, std::size_t end) {
-  const Floats d;
+  const ObstacleColumns& all = motion.scratch.obstacles.columns();
+  if (AreTooMany(all, end - begin)) return keep_out(motion, begin, end);
   float body = 0;
   for (const FlockModel& flock : motion.model.flocks) body = std::max(body, flock.body_radius);
-  SelectFor(motion, body, begin, end);
-  const ObstacleColumns& near = motion.part.near_obstacles;
-  for (std::size_t first = begin; near.count > 0 && first < end; first += width) {
+  ObstacleColumns& block = motion.part.block_obstacles;
+  ObstacleColumns& near = motion.part.near_obstacles;
+  block.fit(all.count);
+  near.fit(all.count);
+  SelectFor(motion, GoingFrom(motion, begin, end), body, all, block);
+  if (block.count > many_for_block) return keep_out(motion, begin, end);
+  for (std::size_t first = begin; block.count > 0 && first < end; first += width) {
     const std::size_t count = std::min<std::size_t>(width, end - first);
-    const LaneVec<D> from = LoadSomeVec<D>(motion.state.position, first, count);
-    const Lanes reach = hn::Add(WayOf(motion, from, first, count), hn::Set(d, 1.0001f * body));
-    auto may = hn::FirstN(d, 0);
-    for (std::size_t k = 0; k < near.count; ++k)
-      may = hn::Or(may, LookAt<D>(near, k, motion.image, from, reach).near);
-    if (hn::AllFalse(d, may)) continue;
-    HWY_ALIGN float is_near[width];
-    hn::Store(hn::IfThenElseZero(may, hn::Set(d, 1.0f)), d, is_near);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      if (is_near[lane] != 0) keep_out(motion, first + lane, first + lane + 1);
+    SelectFor(motion, GoingFrom(motion, first, first + count), body, block, near);
+    if (near.count > many_for_group) {
+      keep_out(motion, first, first + count);
+    } else if (near.count > 0) {
+      KeepOutLanes(motion, near, body, first, count);
     }
   }
 }
