@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 
 #include <sturnus/files.h>
@@ -415,22 +416,78 @@ TEST_P(FullSea, SharksStarveWhereMealsAreTooRareAndLiveWhereTheyAreNot) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FullSea, testing::Values(1, 2, 3));
 
-TEST(FullSeaForLong, NothingIsLostLeaksOrGoesBadInAMillionSteps) {
+/// Pages of memory in use, where the system tells.
+double megabytes_in_use() {
+  std::ifstream file("/proc/self/statm");
+  double all = 0, resident = 0;
+  file >> all >> resident;
+  return resident * 4096 / 1e6;
+}
+
+/// A small sea in which eating, starving and births go on: plankton enough for the shoal to grow back to its
+/// cap, one shark that never starves, and others that do.
+ScenarioDef lasting_sea() {
   ScenarioDef scenario = take(load_scenario("sharks-and-fish"));
-  set(scenario, "flock.fish.count", "24");
-  set(scenario, "flock.fish.feed.population_cap", "40");
-  set(scenario, "flock.sharks.count", "1");
-  Simulation world = start(scenario);
-  for (int step = 0; step < 1000000; ++step) {
-    const std::uint64_t next_id = world.view().state().next_id;
-    world.step();
-    const State& state = world.view().state();
-    ASSERT_LE(members(world, 0), 40u);
-    if (step % 100 != 0) continue;
-    ASSERT_TRUE(all_finite(state));
-    for (const std::uint64_t id : state.id) ASSERT_LT(id, state.next_id);
-    ASSERT_GE(state.next_id, next_id);
-    ASSERT_EQ(ids_of(world).size(), state.size());
+  for (const auto& [path, value] :
+       std::vector<std::pair<const char*, const char*>>{{"flock.fish.count", "40"},
+                                                        {"flock.fish.feed.population_cap", "50"},
+                                                        {"flock.sharks.count", "1"},
+                                                        {"flock.sharks.hunger.starves_after", "inf"},
+                                                        {"food.plankton.random.every", "20"}})
+    set(scenario, path, value);
+  scenario.flocks.push_back(scenario.flocks[1]);
+  scenario.flocks[2].name = "strangers";
+  scenario.flocks[2].count = 2;
+  scenario.flocks[2].hunger->starves_after = 600;
+  return scenario;
+}
+
+/// What has happened so far, and who lives.
+struct Census {
+  StepReport report;
+  std::set<std::uint64_t> ids;
+  std::uint64_t next_id = 0;
+};
+
+Census census_of(const Simulation& world) {
+  return {world.report(), ids_of(world), world.view().state().next_id};
+}
+
+// Between two looks at the sea.
+void expect_balance(const Census& then, const Census& now, std::size_t come) {
+  ASSERT_EQ(
+      then.ids.size() + come + (now.report.born - then.report.born),
+      now.ids.size() + (now.report.eaten - then.report.eaten) + (now.report.starved - then.report.starved));
+  for (const std::uint64_t id : now.ids) {
+    ASSERT_LT(id, now.next_id);
+    ASSERT_TRUE(id >= then.next_id || then.ids.count(id) == 1) << "id " << id << " came back";
+  }
+}
+
+TEST(FullSeaForLong, NothingIsLostLeaksOrGoesBadInAMillionSteps) {
+  Simulation world = start(lasting_sea());
+  Census then = census_of(world), long_ago = then;
+  double megabytes = 0;
+  for (int step = 0; step < 1000000; step += 100) {
+    const bool somebody_comes = step % 5000 == 0;
+    if (somebody_comes) must(world.push(AddBoids{"strangers", 1, {400, 300}, 100}));
+    world.run(100);
+    const Census now = census_of(world);
+    expect_balance(then, now, somebody_comes ? 1 : 0);
+    ASSERT_FALSE(testing::Test::HasFatalFailure()) << "step " << step;
+    ASSERT_TRUE(all_finite(world.view().state()));
+    ASSERT_EQ(now.ids.size(), world.view().size());
+    ASSERT_EQ(now.report.quarantined, 0u);
+    ASSERT_LE(members(world, 0), 50u);
+    then = now;
+    if ((step + 100) % 100000 != 0) continue;
+    // Life has gone on all the while.
+    EXPECT_GT(now.report.born, long_ago.report.born + 200) << "step " << step;
+    EXPECT_GT(now.report.eaten, long_ago.report.eaten + 200) << "step " << step;
+    EXPECT_GT(now.report.starved, long_ago.report.starved + 10) << "step " << step;
+    if (megabytes == 0) megabytes = megabytes_in_use();
+    EXPECT_LT(megabytes_in_use(), megabytes + 4) << "step " << step;
+    long_ago = now;
   }
 }
 
