@@ -117,7 +117,8 @@ std::size_t World::bytes_of_deeds() const {
   std::size_t bytes = 0;
   for (const Deed& deed : undo_) {
     bytes += deed.moment ? moment : 0;
-    if (deed.other) bytes += deed.other->history.bytes() + working_memory * size_of(deed.other->simulation.view().state());
+    if (deed.other)
+      bytes += deed.other->history.bytes() + working_memory * size_of(deed.other->simulation.view().state());
   }
   return bytes;
 }
@@ -288,8 +289,9 @@ void World::track_any() {
   const sturnus::View view = now_.simulation.view();
   if (view.size() == 0) return;
   const std::uint64_t pick = view.step() + 2654435761u * ++picks_ + 12345u;
-  const auto slot = static_cast<std::size_t>(pick % view.size());
-  now_.tracked = view.id(slot);
+  auto slot = static_cast<std::size_t>(pick % view.size());
+  if (picks_ > 1 && view.id(slot) == picked_) slot = (slot + 1) % view.size();
+  now_.tracked = picked_ = view.id(slot);
 }
 
 void World::track_next(int direction) {

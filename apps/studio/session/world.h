@@ -73,7 +73,7 @@ class World {
   /// Whom to follow; nobody: a number that no boid has. When it dies another one is taken.
   void track(std::optional<std::uint64_t> id) { now_.tracked = id; }
   bool is_tracking() const { return now_.tracked.has_value(); }
-  /// Anybody, but not the one that was taken last.
+  /// Anybody, but not whom it took last.
   void track_any();
   /// The next boid by id, or the one before (direction -1).
   void track_next(int direction);
@@ -134,6 +134,7 @@ class World {
   std::uint64_t gestures_ = 0;
   std::uint64_t worlds_ = 0;
   std::uint64_t picks_ = 0;              ///< how often `track_any` took somebody
+  std::uint64_t picked_ = 0;             ///< and whom it took last
   std::optional<std::uint64_t> way_to_;  ///< a step that `go_to` has not reached yet
   double step_seconds_ = 0;
 };
