@@ -40,6 +40,7 @@ class StudioWindow : public ScreenTest {
   // where tries from below.
   std::string saved_session() const {
     press("g");
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     std::string found;
     const auto has_session = [&] {
       for (const std::string& name : files()) {
@@ -75,7 +76,8 @@ TEST_F(StudioWindow, KeysAndMouseReachTheWorldAndCtrlQEndsIt) {
   const std::string session = saved_session();
   EXPECT_NE(session.find("\"obstacle\""), std::string::npos) << "the click put an obstacle there:\n"
                                                              << session;
-  EXPECT_EQ(session.find("\"obstacle\""), session.rfind("\"obstacle\"")) << "one click, one obstacle";
+  EXPECT_EQ(session.find("\"obstacle\""), session.rfind("\"obstacle\"")) << "one click, one obstacle:\n"
+                                                                         << session;
   press("Escape");
   press("Escape");
   xdotool("key ctrl+q");

@@ -71,7 +71,7 @@ void show_card(Desk& desk, const Exhibit& exhibit, float width) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const bool is_pressed = ImGui::InvisibleButton(exhibit.name.c_str(), {width, height + line + 4 * scale});
   mark_visible(desk, exhibit);
-  tip("Click for more about it; click again to open it");
+  if (told_of(desk) != exhibit.name) tip("Click for more about it; click again to open it");
   draw_picture(desk, exhibit, at, {at.x + width, at.y + height});
   const ImVec4 clip(at.x, at.y, at.x + width, at.y + height + line + 4 * scale);
   ImGui::GetWindowDrawList()->AddText(nullptr, 0, {at.x + 2, at.y + height + 4 * scale},

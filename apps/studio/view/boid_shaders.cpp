@@ -304,7 +304,9 @@ void main() {
   if (tail.a > 0.0 && model.x < end) base = tail.rgb;
   float light = max(0.0, dot(facing, towards_light()));
   float gloss = light * light * light * light;
-  vec3 lit = base * (0.5 + 0.55 * light) + 0.10 * gloss * gloss * gloss;
+  // On a light ground bodies would be black in their own shade.
+  float ground = dot(background, vec3(0.3, 0.6, 0.1));
+  vec3 lit = base * mix(0.5 + 0.55 * light, 0.78 + 0.3 * light, ground) + 0.10 * gloss * gloss * gloss;
   shown = vec4(sunk(lit, depth_), 1);
 }
 )";
