@@ -13,6 +13,7 @@ namespace {
 constexpr float longest_arrow = 60;      // points on the screen
 constexpr float farthest_ring = 1e6f;    // lengths beyond this are no rings
 constexpr std::size_t most_ringed = 48;  // neighbours, the nearest of them
+constexpr float many_ringed = 16;        // more are fainter, so that one still sees between them
 
 // One colour for each kind of term, in the table and in the world.
 sturnus::Rgba term_colour(const std::string& kind) {
@@ -97,13 +98,15 @@ void add_reaches(const sturnus::Explanation& told, const TrackingState& state, c
 
 void add_neighbours(const sturnus::Explanation& told, const Point& at, float size, Shapes& shapes) {
   std::size_t ringed = 0;
+  const auto counted = static_cast<float>(std::min(most_ringed, told.neighbours.size()));
+  const float strength = 0.8f * std::sqrt(many_ringed / std::max(many_ringed, counted));
   for (const sturnus::ExplainedNeighbour& neighbour : told.neighbours) {
     if (neighbour.terms.empty() || ++ringed > most_ringed) continue;
     const auto nearest =
         std::min_element(neighbour.terms.begin(), neighbour.terms.end(),
                          [&](auto a, auto b) { return told.terms[a].radius < told.terms[b].radius; });
     shapes.ring(plus(at, neighbour.offset, 1), size,
-                sturnus::with_alpha(term_colour(told.terms[*nearest].kind), 0.8f), 1.2f);
+                sturnus::with_alpha(term_colour(told.terms[*nearest].kind), strength), 1.2f);
   }
 }
 

@@ -208,7 +208,7 @@ vec3 bite(vec3 at, int piece, float open) {
 
 // Small bodies are plumper, and a fish's tail is seen from all sides.
 vec3 plump(vec3 at, int piece, float small) {
-  if (mesh == 5 && piece == 1 && at.x < -0.35) at.y += sign(at.y) * abs(at.z) * 0.9 * small;
+  if (mesh == 5 && piece == 1 && at.x < -0.35) at.y += sign(at.y) * abs(at.z) * 0.9 * max(small, 0.4);
   if (mesh == 5 && piece != 1) at.y *= 1.0 + small;
   if (mesh == 6 && piece == 0) at.yz *= 1.0 + 0.6 * small;
   return at;
