@@ -199,6 +199,13 @@ TEST_F(StudioProgram, BadInputIsRefusedInSentences) {
               "sturnus render");
 }
 
+TEST_F(StudioProgram, TellsWhatFramesTook) {
+  write("visit.txt", "wait 6\n");
+  EXPECT_SAYS(
+      output_of(STURNUS_STUDIO " ucsd --size 320x240 --threads 1 --script visit.txt --frame-times 2>&1"),
+      "1000 boids, 7 frames, 3 steps: upload ");
+}
+
 #ifdef STURNUS_PROGRAM
 TEST_F(StudioProgram, IsWhatSturnusStudioBecomes) {
   EXPECT_SAYS(output_of(STURNUS_PROGRAM " studio --size nonsense 2>&1; echo $?"), "--size");
