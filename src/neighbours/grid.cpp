@@ -60,9 +60,10 @@ class Grid : public NeighbourIndex {
   }
 
   void reserve(std::size_t count, std::size_t parts) override {
-    const auto cells = static_cast<std::size_t>(most_cells(count)) + 1;
+    constexpr std::size_t very_many = 1 << 25;  // what few worlds need is not kept for all that might
+    const auto cells = std::min(static_cast<std::size_t>(most_cells(count)) + 1, very_many);
     cells_.reserve(count);
-    counts_.reserve(parts * cells);
+    counts_.reserve(std::min(parts * cells, very_many));
     begin_.reserve(cells + 1);
     sums_.reserve(parts + 1);
     pairs_.reserve(parts);
