@@ -200,10 +200,10 @@ TEST_F(StudioProgram, BadInputIsRefusedInSentences) {
 }
 
 TEST_F(StudioProgram, TellsWhatFramesTook) {
-  write("visit.txt", "wait 6\n");
+  write("visit.txt", "wait 6\n");  // and one frame in which the panels come to rest, and the last
   EXPECT_SAYS(
       output_of(STURNUS_STUDIO " ucsd --size 320x240 --threads 1 --script visit.txt --frame-times 2>&1"),
-      "1000 boids, 7 frames, 3 steps: upload ");
+      "1000 boids, 8 frames, 3 steps: upload ");
 }
 
 #ifdef STURNUS_PROGRAM
