@@ -100,6 +100,21 @@ TEST_F(StudioCreatureTools, FoodComesWhereThereWasNoneAndIsEaten) {
   expect_replay();
 }
 
+TEST_F(StudioCreatureTools, FoodComesToAWorldFromWhichEverybodyIsGone) {
+  open("ucsd");
+  pause();
+  desk().session.act(sturnus::EraseBoids{{0, 0}, 1e5}, "eraser");
+  frames(2);
+  ASSERT_TRUE(world().boids.empty());
+  key(SDLK_7);
+  click(x, y);
+  ASSERT_EQ(world().food.size(), 1u);
+  key(SDLK_1);
+  click(x, y);
+  EXPECT_EQ(world().boids.size(), 8u);
+  expect_replay();
+}
+
 TEST_F(StudioCreatureTools, WhatWasGivenStaysInTheScenario) {
   open("ucsd");
   frames(10);

@@ -42,6 +42,25 @@ TEST_F(StudioTools, UnitsAreAddedInPowersOfTwoWhereTheClickIs) {
   EXPECT_EQ(boids(), 216u);
 }
 
+TEST_F(StudioTools, APressThatComesWithTheMotionOntoAPanelIsThePanels) {
+  open("ucsd");
+  pause();
+  key(SDLK_1);
+  move(x, y);
+  const Box& panel = desk().layout.inspector;
+  push_motion(panel.x + panel.width / 2, panel.y + panel.height - 4);
+  button(true);
+  button(false);
+  frames(3);
+  EXPECT_EQ(boids(), 200u);
+  push_motion(x, y);
+  frames();
+  button(true);
+  button(false);
+  frames(3);
+  EXPECT_EQ(boids(), 208u);
+}
+
 TEST_F(StudioTools, AnObstacleIsPlacedAndEverybodyLearnsToAvoidIt) {
   open("ucsd");
   pause();

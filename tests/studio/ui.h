@@ -85,6 +85,10 @@ class Ui : public ::testing::Test {
     frames();
   }
   void move(float x, float y) {
+    push_motion(x, y);
+    frames();
+  }
+  void push_motion(float x, float y) {
     SDL_Event event{};
     event.type = SDL_MOUSEMOTION;
     event.motion.x = static_cast<int>(x);
@@ -94,7 +98,6 @@ class Ui : public ::testing::Test {
     x_ = x;
     y_ = y;
     SDL_PushEvent(&event);
-    frames();
   }
   void button(bool down, Uint8 which = SDL_BUTTON_LEFT) {
     SDL_Event event{};

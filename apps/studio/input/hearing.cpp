@@ -1,4 +1,6 @@
 // What keys and the mouse mean to the studio, where no panel wants them.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,19 @@ bool is_command(const SDL_Keysym& key) {
 // While the right button is held these are no shortcuts, whether Shift is still down or not.
 bool is_for_flight(SDL_Keycode key) {
   return key == SDLK_w || key == SDLK_a || key == SDLK_s || key == SDLK_d || key == SDLK_q || key == SDLK_e;
+}
+
+// Whether a panel of the frame before lies there. Dear ImGui tells it of the mouse alone, and only in the
+// next frame, which is too late for a press that comes with the motion to it.
+bool is_on_panel(const SDL_MouseButtonEvent& button) {
+  const ImVec2 at{static_cast<float>(button.x), static_cast<float>(button.y)};
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    const bool is_there = window->WasActive && !window->Hidden && !window->IsFallbackWindow;
+    if (is_there && (window->Flags & ImGuiWindowFlags_NoMouseInputs) == 0 &&
+        window->OuterRectClipped.Contains(at))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -175,7 +190,8 @@ void Studio::hear_button(const SDL_MouseButtonEvent& button) {
     drag_ = Drag::none;
     return;
   }
-  if (!desk_.hand.in_view || drag_ != Drag::none) return;
+  const bool is_on_world = desk_.hand.in_view && !is_on_panel(button);
+  if (!is_on_world || drag_ != Drag::none) return;
   const SDL_Keymod mod = SDL_GetModState();
   const bool left = button.button == SDL_BUTTON_LEFT, right = button.button == SDL_BUTTON_RIGHT;
   if (button.button == SDL_BUTTON_MIDDLE || (left && (mod & KMOD_ALT) != 0)) {

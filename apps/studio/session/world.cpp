@@ -272,7 +272,9 @@ Status World::restart(std::int64_t seed) {
 Status World::extend(const std::string& label, const std::function<void(sturnus::ScenarioDef&)>& add) {
   sturnus::ScenarioDef base = arranged(), opened = *now_.opened, here = continued(now_);
   for (sturnus::ScenarioDef* scenario : {&base, &opened, &here}) add(*scenario);
-  const auto start = std::make_shared<const sturnus::State>(now_.simulation.view().state());
+  const auto start = std::make_shared<sturnus::State>(now_.simulation.view().state());
+  // A table of nobody has no line that could tell which numbers are taken.
+  if (start->size() == 0 && start->food.size() == 0) start->next_id = 0;
   sturnus::SimulationOptions options;
   options.threads = now_.simulation.threads();
   options.tables = {{here.run.initial, *start}};
