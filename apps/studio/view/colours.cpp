@@ -66,10 +66,10 @@ const Colours& colours(sturnus::ThemeName theme) {
 
 sturnus::Rgba colour_on(sturnus::ThemeName theme, sturnus::Rgba colour) {
   if (theme == sturnus::ThemeName::dark) return colour;
-  const int light = (3 * colour.r + 6 * colour.g + colour.b) / 10;
-  if (light <= lightest_on_white) return colour;
+  const int brightness = (3 * colour.r + 6 * colour.g + colour.b) / 10;
+  if (brightness <= lightest_on_white) return colour;
   const auto darker = [&](std::uint8_t part) {
-    return static_cast<std::uint8_t>(part * lightest_on_white / (2 * light - lightest_on_white));
+    return static_cast<std::uint8_t>(part * lightest_on_white / (2 * brightness - lightest_on_white));
   };
   return {darker(colour.r), darker(colour.g), darker(colour.b), colour.a};
 }
