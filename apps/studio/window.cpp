@@ -10,14 +10,15 @@ sturnus::Problem sdl_problem(const std::string& what) {
   return {"", 0, "", what + " (" + SDL_GetError() + ")", false};
 }
 
-void ask_for_context(int samples) {
+// The view has several samples a pixel where it needs them; the window needs none.
+void ask_for_context() {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
   SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 24);
-  SDL_GL_SetAttribute(SDL_GL_MULTISAMPLEBUFFERS, samples > 1 ? 1 : 0);
-  SDL_GL_SetAttribute(SDL_GL_MULTISAMPLESAMPLES, samples);
+  SDL_GL_SetAttribute(SDL_GL_MULTISAMPLEBUFFERS, 0);
+  SDL_GL_SetAttribute(SDL_GL_MULTISAMPLESAMPLES, 0);
 }
 
 }  // namespace
@@ -32,13 +33,10 @@ sturnus::Result<Window> Window::open(const std::string& title, sturnus::Size poi
   window.library_ = std::make_unique<Library>();
   Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_ALLOW_HIGHDPI;
   if (resizable) flags |= SDL_WINDOW_RESIZABLE;
-  for (const int samples : {4, 1}) {  // smooth edges where the display has them
-    ask_for_context(samples);
-    window.window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                          points.width, points.height, flags));
-    if (window.window_) window.context_.reset(SDL_GL_CreateContext(window.window_.get()));
-    if (window.context_) break;
-  }
+  ask_for_context();
+  window.window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                        points.width, points.height, flags));
+  if (window.window_) window.context_.reset(SDL_GL_CreateContext(window.window_.get()));
   if (!window.window_) return sdl_problem("the window could not be opened");
   if (!window.context_ || epoxy_gl_version() < 33)
     return sdl_problem("the studio needs OpenGL 3.3, which this display does not have");

@@ -231,6 +231,49 @@ TEST_F(Views, EveryLookShowsEveryBoid) {
   }
 }
 
+// A pixel of which a body covers a part is ground without several samples, and neither ground nor body with
+// them.
+TEST_F(Views, EdgesOfBodiesAreSmoothUnlessTheyAreNotWanted) {
+  options_.look = Look::birds;
+  const sturnus::Image smooth = picture();
+  options_.smooth = false;
+  const sturnus::Image rough = picture();
+  int touched = 0, faint = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (difference(rough.at(x, y), ground()) > 1) continue;
+      const int strength = difference(smooth.at(x, y), ground());
+      touched += strength > 4 ? 1 : 0;
+      faint += strength > 4 && 2 * strength < difference(own(0), ground()) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(touched, 30);
+  EXPECT_GT(4 * faint, 3 * touched) << "of what they touch, bodies cover less than half";
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(Views, WhatIsDrawnAfterASmoothWorldLiesAboveIt) {
+  options_.look = Look::birds;
+  picture();
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, 10, 10);
+  glClearColor(1, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+  const sturnus::Image image = read_pixels(size);
+  EXPECT_EQ(image.at(5, size.height - 6), (Rgba{255, 0, 0, 255}));
+  EXPECT_GT(difference(at(image, place(0)), ground()), 20) << "the world is not there";
+}
+
+TEST_F(Views, VeryManyBoidsAndFlatFiguresTakeNoSamples) {
+  EXPECT_FALSE(has_rough_edges(frame_, Look::automatic));
+  EXPECT_TRUE(has_rough_edges(frame_, Look::fish));
+  make(3);
+  EXPECT_TRUE(has_rough_edges(frame_, Look::automatic));
+  frame_.boids.resize(20'001);
+  EXPECT_FALSE(has_rough_edges(frame_, Look::automatic));
+}
+
 TEST_F(Views, SceneryIsDrawn) {
   const Colours& theme = colours(options_.theme);
   frame_.food.push_back({{50, 250, 0}, 12, 0});

@@ -53,6 +53,8 @@ void show_view_menu(Desk& desk) {
   mark(desk, "view.size");
   tip("How large units are drawn, times the size that the scenario gives");
   check(desk, "trails", desk.view.trails, "Where each unit was in its last steps");
+  check(desk, "smooth", desk.view.smooth,
+        "Edges of bodies, by four samples a pixel: slow without a graphics card");
   check(desk, "outline", desk.view.outline, "The edge of the space");
   check(desk, "grid", desk.view.grid, "Lines at even distances");
   check(desk, "cells", desk.view.index, "The cells or leaves in which neighbours are looked for");

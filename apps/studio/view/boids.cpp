@@ -28,6 +28,12 @@ Mesh glyph_of(const sturnus::FlockDef& flock, int dimensions) {
   return arrow(dimensions);
 }
 
+// Drawn as a flat shape whose edge fades.
+bool is_figure(Mesh mesh) {
+  return mesh == Mesh::dart || mesh == Mesh::triangle || mesh == Mesh::disc || mesh == Mesh::ball ||
+         mesh == Mesh::point;
+}
+
 // In the order of the flocks: in the plane, later ones lie above.
 std::vector<Mesh> meshes_in_use(const Frame& frame, Look look) {
   std::vector<Mesh> out;
@@ -128,6 +134,13 @@ Mesh mesh_of(const sturnus::FlockDef& flock, int dimensions, Look look, std::siz
   return arrow(dimensions);
 }
 
+bool has_rough_edges(const Frame& frame, Look look) {
+  if (frame.boids.size() > simple_above) return false;
+  const std::vector<Mesh> meshes = meshes_in_use(frame, look);
+  return frame.dimensions == 3 ||
+         std::any_of(meshes.begin(), meshes.end(), [](Mesh mesh) { return !is_figure(mesh); });
+}
+
 Boids::Boids(gl::Program figures, gl::Program bodies, gl::Program points, gl::Program trails)
     : figures_(std::move(figures)),
       bodies_(std::move(bodies)),
@@ -157,12 +170,10 @@ void Boids::draw_kind(Mesh mesh, std::size_t boids, const Frame& frame, const Le
     glUniform1f(points_.at("smallest"), boids > points_above ? 1.0f : 2.0f);
     return glDrawArrays(GL_POINTS, 0, count);
   }
-  const bool is_flat =
-      mesh == Mesh::dart || mesh == Mesh::triangle || mesh == Mesh::disc || mesh == Mesh::ball;
-  const gl::Program& program = is_flat ? figures_ : bodies_;
+  const gl::Program& program = is_figure(mesh) ? figures_ : bodies_;
   set_boids(program, frame, lens, options, moment);
   glUniform1i(program.at("mesh"), static_cast<GLint>(mesh));
-  if (is_flat) {
+  if (is_figure(mesh)) {
     glUniform1i(program.at("shape"), static_cast<GLint>(mesh));
     return glDrawArrays(GL_TRIANGLES, 0, 6 * count);
   }

@@ -42,6 +42,10 @@ std::size_t steps_kept(std::size_t boids);
 /// The mesh that a flock's boids get.
 Mesh mesh_of(const sturnus::FlockDef& flock, int dimensions, Look look, std::size_t boids);
 
+/// Whether edges of triangles show: bodies and things in space have them, figures of the plane and points
+/// fade by themselves. Of very many boids each is too small for that.
+bool has_rough_edges(const Frame& frame, Look look);
+
 class Boids {
  public:
   static sturnus::Result<Boids> create();

@@ -54,6 +54,12 @@ void delete_program(GLuint name) {
 void delete_vertex_array(GLuint name) {
   glDeleteVertexArrays(1, &name);
 }
+void delete_framebuffer(GLuint name) {
+  glDeleteFramebuffers(1, &name);
+}
+void delete_renderbuffer(GLuint name) {
+  glDeleteRenderbuffers(1, &name);
+}
 
 Pulled::Pulled(GLenum format) : buffer_(new_buffer()), texture_(new_texture()), format_(format) {}
 

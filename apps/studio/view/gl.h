@@ -36,6 +36,8 @@ void delete_buffer(GLuint name);
 void delete_texture(GLuint name);
 void delete_program(GLuint name);
 void delete_vertex_array(GLuint name);
+void delete_framebuffer(GLuint name);
+void delete_renderbuffer(GLuint name);
 
 /// A buffer that shaders read as a texture of four numbers a texel.
 class Pulled {

@@ -7,6 +7,7 @@
 
 #include "view/boids.h"
 #include "view/scenery.h"
+#include "view/smoothing.h"
 
 namespace studio {
 namespace {
@@ -48,6 +49,7 @@ struct View::Parts {
   Boids boids;
   Scenery scenery;
   gl::Owned<gl::delete_vertex_array> nothing = gl::vertex_array();
+  Smoothing smoothing = {};
   Past past = {};
   Layer layer = {};
   ViewTimes times = {};
@@ -116,6 +118,7 @@ void View::draw(const Frame& frame, const Camera& camera, const ViewOptions& opt
   const Stopwatch watch(parts_->times.draw);
   const Colours& theme = colours(options.theme);
   const Lens lens{&camera, &theme, moment.scale, fade_of(camera, frame.extent)};
+  parts_->smoothing.begin(camera.pixels(), options.smooth && has_rough_edges(frame, options.look));
   clear(camera, theme.background);
   glBindVertexArray(parts_->nothing.name());
   frame.dimensions == 2 ? parts_->draw_flat(frame, lens, options, moment)
@@ -124,6 +127,7 @@ void View::draw(const Frame& frame, const Camera& camera, const ViewOptions& opt
   parts_->draw_layer(lens, [&](Layer& out) { add_targets(frame, theme, options, out); });
   parts_->scenery.draw(shapes, lens);
   glBindVertexArray(0);
+  parts_->smoothing.end();
 }
 
 ViewTimes View::times() const {

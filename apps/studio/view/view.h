@@ -25,6 +25,7 @@ struct ViewOptions {
   float size = 1;  ///< times the size that the scenario gives
   bool trails = false;
   int trail_steps = 24;
+  bool smooth = true;   ///< edges, by several samples a pixel where bodies need it
   bool outline = true;  ///< the edge of the space
   bool grid = false;    ///< lines at even distances, with the space's edge
   bool index = false;   ///< the frame's index boxes
