@@ -99,6 +99,34 @@ TEST(StudioPlots, TheTableHasALineForEachAndAColumnForEachFlock) {
   EXPECT_NE(last.find(",60,"), std::string::npos) << last;
 }
 
+// The words of the bottom and of its tooltip, as ImGui logs them.
+std::string hovered(Desktop& desktop, const std::string& plot, float part) {
+  desktop.move(plot, part);
+  desktop.frame();
+  ImGui::SetClipboardText("");
+  ImGui::NewFrame();
+  desktop.desk.items.clear();
+  ImGui::LogToClipboard();
+  show_bottom(desktop.desk);
+  ImGui::LogFinish();
+  ImGui::Render();
+  return ImGui::GetClipboardText();
+}
+
+TEST(StudioPlots, TellTheValuesOfTheMomentUnderTheMouse) {
+  Desktop desktop(opened("two-flocks"));
+  desktop.run(100);
+  const std::string middle = hovered(desktop, "plot.population", 0.5f);
+  EXPECT_NE(middle.find("step 50"), std::string::npos) << middle;
+  for (const sturnus::FlockDef& flock : desktop.desk.scenario().flocks) {
+    const std::string line = flock.name + "  " + std::to_string(flock.count);
+    EXPECT_NE(middle.find(line), std::string::npos) << middle;
+  }
+  const std::string end = hovered(desktop, "plot.polarisation", 0.99f);
+  EXPECT_NE(end.find("step 100"), std::string::npos) << end;
+  EXPECT_NE(end.find("Polarisation  0."), std::string::npos) << end;
+}
+
 TEST(StudioPlots, AreSavedAsATableAndAPictureUnderNamesThatAreFree) {
   const std::filesystem::path old = std::filesystem::current_path();
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "studio-measures";
