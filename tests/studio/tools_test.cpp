@@ -374,6 +374,19 @@ TEST_F(StudioTools, TheViewMenuColoursDrawsTrailsAndCells) {
   EXPECT_GT(crowded, 100u);
 }
 
+TEST_F(StudioTools, TheViewMenuMakesUnitsLargerAndAsTheyWere) {
+  open("ucsd");
+  press("top.view");
+  frames(2);
+  drag_item("view.size", 20);
+  frames(2);
+  EXPECT_GT(desk().view.size, 1.5f);
+  const Box box = desk().items["view.size"];
+  click(box.x + box.width / 2, box.y + box.height / 2, SDL_BUTTON_RIGHT);
+  frames(2);
+  EXPECT_EQ(desk().view.size, 1);
+}
+
 TEST_F(StudioTools, EscapeClosesTheViewMenu) {
   open("ucsd");
   press("top.view");

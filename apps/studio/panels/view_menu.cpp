@@ -50,8 +50,9 @@ void show_view_menu(Desk& desk) {
   choose(desk, "look", looks, desk.view.look, "How a unit is drawn");
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
   ImGui::SliderFloat("size", &desk.view.size, 0.25f, 8, "%.2f", ImGuiSliderFlags_Logarithmic);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) desk.view.size = 1;
   mark(desk, "view.size");
-  tip("How large units are drawn, times the size that the scenario gives");
+  tip("How large units are drawn, times the size that the scenario gives. Right click: 1.");
   check(desk, "trails", desk.view.trails, "Where each unit was in its last steps");
   check(desk, "smooth", desk.view.smooth,
         "Edges of bodies, by four samples a pixel: slow without a graphics card");
