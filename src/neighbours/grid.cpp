@@ -80,7 +80,7 @@ class Grid : public NeighbourIndex {
       for (std::int64_t layer = z.first[i]; layer <= z.last[i]; ++layer) {
         for (int j = 0; j < y.count; ++j) {
           for (std::int64_t row = y.first[j]; row <= y.last[j]; ++row)
-            add_row(layer, row, x, {Seam::none, y.seam[j], z.seam[i]}, spans);
+            add_row(layer, row, x, y.seam[j], z.seam[i], spans);
         }
       }
     }
@@ -457,13 +457,13 @@ class Grid : public NeighbourIndex {
     }
   }
 
-  void add_row(std::int64_t layer, std::int64_t row, const Runs& x, std::array<Seam, 3> seam,
+  void add_row(std::int64_t layer, std::int64_t row, const Runs& x, Seam over_y, Seam over_z,
                std::vector<Span>& spans) const {
     const std::int64_t first = (layer * axes_[1].cells + row) * axes_[0].cells;
     for (int i = 0; i < x.count; ++i) {
-      seam[0] = x.seam[i];
       const Span span{begin_[static_cast<std::size_t>(first + x.first[i])],
-                      begin_[static_cast<std::size_t>(first + x.last[i] + 1)], seam};
+                      begin_[static_cast<std::size_t>(first + x.last[i] + 1)],
+                      {x.seam[i], over_y, over_z}};
       if (span.begin < span.end) spans.push_back(span);
     }
   }

@@ -152,7 +152,7 @@ bool is_few(std::size_t candidates, const SumPass& pass);
 /// How many candidates the spans hold.
 inline std::size_t candidates(std::span<const Span> spans) {
   std::size_t count = 0;
-  for (const Span span : spans) count += span.end - span.begin;
+  for (const Span& span : spans) count += span.end - span.begin;
   return count;
 }
 

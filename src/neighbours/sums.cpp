@@ -89,24 +89,22 @@ std::span<const Span> find_candidates(const NeighbourIndex* index, const Box& bo
 template <int D>
 void wide_batch(const Boids& boids, Span batch, const Members& members, std::span<const Span> spans,
                 const Look& look, const SumPass& pass, SumBlock& sums) {
-  WideBatch wide;
-  wide.boids = &boids;
-  wide.targets = batch;
-  wide.spans = spans;
-  wide.few = is_few<D>(candidates(spans), pass);
-  wide.image = look.image;
-  wide.near = flocks_near<D>(boids, members.flocks, spans, look);
-  wide.programs = pass.programs.data();
-  wide.steered = pass.steered & members.flocks;
-  wide.is_mixed = members.is_mixed;
-  wide.program = wide.programs + std::countr_zero(wide.steered);
-  wide.sums = &sums;
+  const std::uint64_t steered = pass.steered & members.flocks;
+  WideBatch wide{.boids = &boids,
+                 .targets = batch,
+                 .spans = spans,
+                 .few = is_few<D>(candidates(spans), pass),
+                 .image = &look.image,
+                 .near = flocks_near<D>(boids, members.flocks, spans, look),
+                 .programs = pass.programs.data(),
+                 .program = pass.programs.data() + std::countr_zero(steered),
+                 .steered = steered,
+                 .is_mixed = members.is_mixed,
+                 .sums = &sums};
+  if (wide.is_mixed || !has_idle_rows(*wide.program, wide.near)) return wide_sums<D>(wide);
   // Hunters are few, and most boids have none near: their sums cost no more than without hunters.
-  WideProgram without;
-  if (!wide.is_mixed && has_idle_rows(*wide.program, wide.near)) {
-    without = without_idle_rows(*wide.program, wide.near);
-    wide.program = &without;
-  }
+  const WideProgram without = without_idle_rows(*wide.program, wide.near);
+  wide.program = &without;
   wide_sums<D>(wide);
 }
 
@@ -116,12 +114,14 @@ template <int D>
 void neighbour_sums(const Boids& targets, std::span<const Span> batches, const Boids& sources,
                     const NeighbourQuestion& question, KernelScratch& scratch, SumBlock& sums) {
   const Model& model = *question.model;
-  for (const Span batch : batches) {
+  Wrapping inside = question.image;
+  inside.wraps = false;
+  for (const Span& batch : batches) {
     const Members members = members_of(targets, batch);
     if (members.flocks == 0) continue;
     const Box box = wide_box<D>(targets, batch);
-    Wrapping image = question.image;
-    image.wraps = image.wraps && is_near_the_seam<D>(box, model);
+    const Wrapping& image =
+        question.image.wraps && is_near_the_seam<D>(box, model) ? question.image : inside;
     for (const SumPass& pass : question.passes->all()) {
       if ((pass.steered & members.flocks) == 0) continue;
       const auto spans = find_candidates(question.index, box, pass, scratch);

@@ -61,7 +61,7 @@ struct WideBatch {
   Span targets{};
   std::span<const Span> spans;            ///< of candidates
   bool few = false;                       ///< see `few_candidates`
-  Wrapping image;                         ///< `wraps` only where some candidate may be near over the seam
+  const Wrapping* image = nullptr;        ///< `wraps` only where some candidate may be near over the seam
   std::uint64_t near = 0;                 ///< the flocks that candidates within reach may belong to
   const WideProgram* programs = nullptr;  ///< of each flock
   const WideProgram* program = nullptr;   ///< of the steered; in a mixed batch it has the shape of them all

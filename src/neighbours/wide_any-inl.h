@@ -84,7 +84,7 @@ HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
     FillFilters(batch, first, filters);
     const Targets<D> targets = Load<D>(batch, first);
     Sums sums;
-    if (batch.image.wraps) {
+    if (batch.image->wraps) {
       WalkAny<D, Wraps::by_comparison>(batch, targets, filters, sums);
     } else {
       WalkAny<D, Wraps::no>(batch, targets, filters, sums);

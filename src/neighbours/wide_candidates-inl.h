@@ -60,8 +60,8 @@ HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, const
     Lanes o = hn::Sub(hn::Set(d, batch.boids->position[axis][candidate]), targets.position[axis]);
     if (wraps == Wraps::by_span) o = hn::Sub(o, shift[axis]);
     if (wraps == Wraps::by_comparison) {
-      const Lanes half = hn::Set(d, batch.image.half[axis]);
-      const Lanes size = hn::Set(d, batch.image.size[axis]);
+      const Lanes half = hn::Set(d, batch.image->half[axis]);
+      const Lanes size = hn::Set(d, batch.image->size[axis]);
       const auto above = hn::Gt(o, half);
       const auto below = hn::Lt(o, hn::Neg(half));
       o = hn::IfThenElse(above, hn::Sub(o, size), hn::IfThenElse(below, hn::Add(o, size), o));

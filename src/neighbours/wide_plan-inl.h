@@ -57,7 +57,7 @@ template <int D, class ThePlan>
 HWY_INLINE void SetShift(const Span& span, Walk<D, ThePlan>& walk) {
   const Floats d;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    const float size = walk.batch.image.size[axis];
+    const float size = walk.batch.image->size[axis];
     const Seam seam = span.seam[axis];
     walk.shift[axis] = hn::Set(d, seam == Seam::low ? size : seam == Seam::high ? -size : 0.0f);
   }
@@ -249,7 +249,7 @@ HWY_INLINE bool SpansTell(std::span<const Span> spans) {
 template <int D, class ThePlan>
 HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   const Floats d;
-  const bool spans_tell = batch.image.wraps && SpansTell(batch.spans);
+  const bool spans_tell = batch.image->wraps && SpansTell(batch.spans);
   const WideProgram& program = *batch.program;
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
@@ -258,7 +258,7 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
     for (std::size_t f = 0; f < ThePlan::filters; ++f)
       walk.outer[f] = hn::Set(d, program.filters[f].outer_squared);
     Sums sums;
-    if (!batch.image.wraps) {
+    if (!batch.image->wraps) {
       WalkAll<D, Wraps::no, ThePlan>(walk, sums);
     } else if (spans_tell) {
       WalkAll<D, Wraps::by_span, ThePlan>(walk, sums);

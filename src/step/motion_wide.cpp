@@ -20,11 +20,20 @@ namespace HWY_NAMESPACE {
 // Boids from slot `first` on, in the lanes, of whom some belong to the flock.
 template <int D>
 struct Group {
+  // Not an aggregate, all of which would be cleared first.
+  HWY_INLINE Group(Motion<D>& its_motion, const FlockModel& its_flock, std::size_t slot, Lanes_mask lanes)
+      : motion(its_motion),
+        flock(its_flock),
+        first(slot),
+        counted(lanes),
+        position(LoadVec<D>(motion.state.position, first)),
+        velocity(LoadVec<D>(motion.state.velocity, first)) {}
+
   Motion<D>& motion;
   const FlockModel& flock;
-  std::size_t first;
-  Lanes_mask counted;  ///< those lanes
-  LaneVec<D> position, velocity;
+  const std::size_t first;
+  const Lanes_mask counted;  ///< those lanes
+  const LaneVec<D> position, velocity;
   Box box;  ///< of their places, where somebody asks
 };
 
@@ -409,13 +418,7 @@ HWY_INLINE void MoveLanes(Motion<D>& motion, std::size_t first) {
   for (std::size_t f = 0; f < motion.model.flocks.size(); ++f) {
     const auto counted = MembersOf(motion, first, f);
     if (hn::AllFalse(d, counted)) continue;
-    Group<D> group{motion,
-                   motion.model.flocks[f],
-                   first,
-                   counted,
-                   LoadVec<D>(motion.state.position, first),
-                   LoadVec<D>(motion.state.velocity, first),
-                   {}};
+    Group<D> group(motion, motion.model.flocks[f], first, counted);
     LookAround(group);
     if (!HasLanes(group.flock) || !MoveGroup(group)) move_plain(motion, first, first + width);
   }
