@@ -120,8 +120,7 @@ void neighbour_sums(const Boids& targets, std::span<const Span> batches, const B
     const Members members = members_of(targets, batch);
     if (members.flocks == 0) continue;
     const Box box = wide_box<D>(targets, batch);
-    const Wrapping& image =
-        question.image.wraps && is_near_the_seam<D>(box, model) ? question.image : inside;
+    const Wrapping& image = question.image.wraps && is_near_the_seam<D>(box, model) ? question.image : inside;
     for (const SumPass& pass : question.passes->all()) {
       if ((pass.steered & members.flocks) == 0) continue;
       const auto spans = find_candidates(question.index, box, pass, scratch);
