@@ -210,6 +210,7 @@ TEST(StudioColours, TheEdgeOfTheWorldIsWhiteOnDarkAndDarkOnLight) {
 
 TEST(StudioWords, AreShortenedToTheirRoom) {
   ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
   load_font(1, 1);
   ImGui::GetIO().Fonts->Build();
   ImGui::GetIO().DisplaySize = {100, 100};
