@@ -32,15 +32,24 @@ HWY_INLINE Lanes AddWhere(Lanes_mask mask, Lanes sum, Lanes value) {
 #endif
 }
 
-// The same for finite values. A product with 1 or 0 is exact, so that the fused operation rounds like the
-// sum; it runs where sums alone would queue.
-HWY_INLINE Lanes AddFinite(Lanes_mask mask, Lanes sum, Lanes value) {
+// sum - value where the mask holds.
+HWY_INLINE Lanes SubtractWhere(Lanes_mask mask, Lanes sum, Lanes value) {
 #if HWY_TARGET <= HWY_AVX3
-  return hn::IfThenElse(mask, hn::MulAdd(hn::Set(Floats(), 1.0f), value, sum), sum);
-#elif HWY_TARGET <= HWY_AVX2
-  return hn::MulAdd(hn::IfThenElseZero(mask, hn::Set(Floats(), 1.0f)), value, sum);
+  return hn::IfThenElse(mask, hn::Sub(sum, value), sum);
 #else
-  return AddWhere(mask, sum, value);
+  return hn::Sub(sum, hn::IfThenElseZero(mask, value));
+#endif
+}
+
+// The same for finite values. A product with 1 or 0 is exact, so that the fused operation rounds like the
+// difference; it runs where sums alone would queue.
+HWY_INLINE Lanes SubtractFinite(Lanes_mask mask, Lanes sum, Lanes value) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::IfThenElse(mask, hn::NegMulAdd(hn::Set(Floats(), 1.0f), value, sum), sum);
+#elif HWY_TARGET <= HWY_AVX2
+  return hn::NegMulAdd(hn::IfThenElseZero(mask, hn::Set(Floats(), 1.0f)), value, sum);
+#else
+  return SubtractWhere(mask, sum, value);
 #endif
 }
 
@@ -82,6 +91,9 @@ HWY_INLINE Doubled ZeroDoubled() {
 HWY_INLINE void AddDoubled(Doubled& sum, Lanes values) {
   sum.value += static_cast<double>(hn::GetLane(values));
 }
+HWY_INLINE void SubtractDoubled(Doubled& sum, Lanes values) {
+  sum.value -= static_cast<double>(hn::GetLane(values));
+}
 HWY_INLINE Lanes Rounded(const Doubled& sum) {
   return hn::Set(Floats(), static_cast<float>(sum.value));
 }
@@ -99,6 +111,12 @@ HWY_INLINE void AddDoubled(Doubled& sum, Lanes values) {
   const HalfFloats half;
   sum.low = hn::Add(sum.low, hn::PromoteTo(d, hn::LowerHalf(half, values)));
   sum.high = hn::Add(sum.high, hn::PromoteTo(d, hn::UpperHalf(half, values)));
+}
+HWY_INLINE void SubtractDoubled(Doubled& sum, Lanes values) {
+  const Doubles d;
+  const HalfFloats half;
+  sum.low = hn::Sub(sum.low, hn::PromoteTo(d, hn::LowerHalf(half, values)));
+  sum.high = hn::Sub(sum.high, hn::PromoteTo(d, hn::UpperHalf(half, values)));
 }
 HWY_INLINE Lanes Rounded(const Doubled& sum) {
   const HalfFloats half;

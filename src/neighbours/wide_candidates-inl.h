@@ -39,10 +39,11 @@ HWY_INLINE Targets<D> Load(const WideBatch& batch, std::size_t first) {
   return targets;
 }
 
-// One candidate as all lanes see it.
+// One candidate as all lanes see it: the way from it to each of them, which is minus its offset, bit by bit.
+// Taken so, what is read of the candidate is the last operand, and is spread over the lanes on the way.
 template <int D>
 struct Seen {
-  Lanes offset[3];
+  Lanes away[3];
   Lanes distance_squared;
 };
 
@@ -57,8 +58,8 @@ HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, const
   const Floats d;
   Seen<D> seen;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    Lanes o = hn::Sub(hn::Set(d, batch.boids->position[axis][candidate]), targets.position[axis]);
-    if (wraps == Wraps::by_span) o = hn::Sub(o, shift[axis]);
+    Lanes o = hn::Sub(targets.position[axis], hn::Set(d, batch.boids->position[axis][candidate]));
+    if (wraps == Wraps::by_span) o = hn::Add(o, shift[axis]);
     if (wraps == Wraps::by_comparison) {
       const Lanes half = hn::Set(d, batch.image->half[axis]);
       const Lanes size = hn::Set(d, batch.image->size[axis]);
@@ -66,11 +67,11 @@ HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, const
       const auto below = hn::Lt(o, hn::Neg(half));
       o = hn::IfThenElse(above, hn::Sub(o, size), hn::IfThenElse(below, hn::Add(o, size), o));
     }
-    seen.offset[axis] = o;
+    seen.away[axis] = o;
   }
-  seen.distance_squared = hn::Mul(seen.offset[0], seen.offset[0]);
+  seen.distance_squared = hn::Mul(seen.away[0], seen.away[0]);
   for (std::size_t axis = 1; axis < D; ++axis)
-    seen.distance_squared = hn::Add(seen.distance_squared, hn::Mul(seen.offset[axis], seen.offset[axis]));
+    seen.distance_squared = hn::Add(seen.distance_squared, hn::Mul(seen.away[axis], seen.away[axis]));
   return seen;
 }
 
@@ -119,13 +120,13 @@ HWY_INLINE Lanes_mask PassesFilter(const Filters& filters, std::size_t f, const 
   auto mask = hn::Lt(seen.distance_squared, hn::Load(d, filters.outer[f]));
   if (filters.has_rings) mask = hn::And(mask, hn::Ge(seen.distance_squared, hn::Load(d, filters.inner[f])));
   if (filters.has_views) {
-    Lanes along = hn::Mul(targets.velocity[0], seen.offset[0]);
+    Lanes along = hn::Mul(targets.velocity[0], seen.away[0]);
     for (std::size_t axis = 1; axis < D; ++axis)
-      along = hn::Add(along, hn::Mul(targets.velocity[axis], seen.offset[axis]));
+      along = hn::Add(along, hn::Mul(targets.velocity[axis], seen.away[axis]));
     const Lanes cosine = hn::Load(d, filters.cosine[f]);
     const Lanes least = hn::Mul(hn::Mul(cosine, targets.speed), hn::Sqrt(seen.distance_squared));
     const auto sees_all = hn::Lt(cosine, hn::Set(d, -2.0f));
-    mask = hn::And(mask, hn::Or(hn::Ge(along, least), sees_all));
+    mask = hn::And(mask, hn::Or(hn::Le(along, hn::Neg(least)), sees_all));
   }
   if (filters.asks_flocks) {
     const std::size_t flock = boids.is_hidden(candidate) ? 64 : boids.flock[candidate];

@@ -15,21 +15,22 @@ HWY_BEFORE_NAMESPACE();
 namespace sturnus {
 namespace HWY_NAMESPACE {
 
-// As in the plain kernel: near boids push no harder than at the least distance, coincident ones not at all.
+// Where a candidate pushes, minus what the plain kernel adds: near boids push no harder than at the least
+// distance, coincident ones not at all.
 template <int D>
 HWY_INLINE void Push(const Seen<D>& seen, bool fades, Lanes* values) {
   const Floats d;
   const Lanes least = hn::Set(d, std::numeric_limits<float>::min());
   const Lanes squared = hn::Max(seen.distance_squared, least);
   const Lanes scale = hn::Div(hn::Set(d, 1.0f), fades ? squared : hn::Sqrt(squared));
-  for (std::size_t axis = 0; axis < D; ++axis) values[axis] = hn::Mul(seen.offset[axis], scale);
+  for (std::size_t axis = 0; axis < D; ++axis) values[axis] = hn::Mul(seen.away[axis], scale);
 }
 
 template <int D>
 HWY_INLINE void AddPush(Lanes* part, Lanes_mask mask, const Seen<D>& seen, bool fades) {
   Lanes values[3];
   Push<D>(seen, fades, values);
-  for (std::size_t axis = 0; axis < D; ++axis) part[axis] = AddWhere(mask, part[axis], values[axis]);
+  for (std::size_t axis = 0; axis < D; ++axis) part[axis] = SubtractWhere(mask, part[axis], values[axis]);
 }
 
 template <int D>
@@ -50,7 +51,7 @@ HWY_INLINE void AddTo(Lanes* part, WideAddend addend, Lanes_mask mask, const See
       return AddPush<D>(part, mask, seen, false);
     case WideAddend::grows:
       for (std::size_t axis = 0; axis < D; ++axis)
-        part[axis] = AddFinite(mask, part[axis], seen.offset[axis]);
+        part[axis] = SubtractFinite(mask, part[axis], seen.away[axis]);
       return;
     case WideAddend::velocity:
       return AddColumns<D>(part, mask, boids.velocity, candidate);
@@ -67,7 +68,7 @@ HWY_INLINE void AddFading(Doubled* whole, Lanes_mask mask, const Seen<D>& seen) 
   Lanes values[3];
   Push<D>(seen, true, values);
   for (std::size_t axis = 0; axis < D; ++axis)
-    AddDoubled(whole[axis], hn::IfThenElseZero(mask, values[axis]));
+    SubtractDoubled(whole[axis], hn::IfThenElseZero(mask, values[axis]));
 }
 
 // The sums of one register's lanes, by row and filter of the program.
