@@ -414,6 +414,7 @@ class Grid : public NeighbourIndex {
     const Run near = between(0, low - outermost, high + outermost);
     const Run within = inside(high - all_within, low + all_within);
     const Run maybe_hole = some_nearer < 0 ? Run{1, 0} : between(0, low - some_nearer, high + some_nearer);
+    if (maybe_hole.first > maybe_hole.last) return add_round(layer, row, near, within, parts);
     const Run hole = inside(high - all_nearer, low + all_nearer);
     std::array<std::int64_t, 8> cuts = {near.first,       near.last + 1,       within.first, within.last + 1,
                                         maybe_hole.first, maybe_hole.last + 1, hole.first,   hole.last + 1};
@@ -424,6 +425,15 @@ class Grid : public NeighbourIndex {
       const bool is_whole = within.has(cuts[i]) && !maybe_hole.has(cuts[i]);
       add_cells(layer, row, {cuts[i], cuts[i + 1] - 1}, is_whole, parts);
     }
+  }
+
+  // One row of a round without a hole.
+  void add_round(std::int64_t layer, std::int64_t row, Run near, Run within, RingParts& parts) const {
+    within = {std::max(near.first, within.first), std::min(near.last, within.last)};
+    if (within.first > within.last) return add_cells(layer, row, near, false, parts);
+    add_cells(layer, row, {near.first, within.first - 1}, false, parts);
+    add_cells(layer, row, within, true, parts);
+    add_cells(layer, row, {within.last + 1, near.last}, false, parts);
   }
 
   // Where a row or cell beyond the ends of a space that wraps really is.
