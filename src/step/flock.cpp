@@ -67,9 +67,11 @@ std::uint64_t weight_of(const Model& model, const Boids& boids, const Scratch& s
   return sum;
 }
 
+// Only where somebody shares the work.
 template <int D>
 void weigh_blocks(const Model& model, const Boids& boids, Scratch& scratch, const Workers& workers) {
-  scratch.weights.resize(block_count(scratch));
+  scratch.weights.assign(block_count(scratch), 0);
+  if (workers.count() == 1) return;
   workers.for_ranges(scratch.weights.size(), [&](std::size_t begin, std::size_t end, int part) {
     std::vector<Span>& spans = scratch.parts[static_cast<std::size_t>(part)].kernel.spans;
     for (std::size_t block = begin; block < end; ++block)
