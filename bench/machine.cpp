@@ -12,12 +12,20 @@
 namespace bench {
 namespace {
 
-std::string processor() {
+// The value of a key of the first processor, as the kernel tells it.
+std::string told(const std::string& key) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+    const std::size_t colon = line.find(':');
+    const std::size_t end = line.find_last_not_of(" \t", colon - 1);
+    if (colon != std::string::npos && line.substr(0, end + 1) == key) return line.substr(colon + 2);
   }
   return "unknown";
+}
+
+// Clouds name a whole line of processors alike; family and model tell them apart.
+std::string processor() {
+  return told("model name") + " (family " + told("cpu family") + ", model " + told("model") + ")";
 }
 
 std::string first_word(const std::string& path) {
