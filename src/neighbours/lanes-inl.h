@@ -7,6 +7,8 @@
 #define STURNUS_LANES_INL_H
 #endif
 
+#include <array>
+
 #include <hwy/highway.h>
 
 #include "neighbours/index.h"
@@ -62,6 +64,13 @@ HWY_INLINE Counts CountWhere(Lanes_mask mask, Counts count) {
 #else
   return hn::Sub(count, hn::VecFromMask(d, counted));
 #endif
+}
+
+// A bit for each lane of the mask.
+HWY_INLINE std::uint32_t BitsOf(Lanes_mask mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Floats(), mask, bytes.data());
+  return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
 template <int D>

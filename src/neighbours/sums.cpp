@@ -92,6 +92,7 @@ void wide_batch(const Boids& boids, Span batch, const Members& members, std::spa
   const std::uint64_t steered = pass.steered & members.flocks;
   WideBatch wide{.boids = &boids,
                  .targets = batch,
+                 .box = &look.box,
                  .spans = spans,
                  .few = is_few<D>(candidates(spans), pass),
                  .image = &look.image,

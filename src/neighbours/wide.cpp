@@ -9,7 +9,7 @@
 #include <hwy/highway.h>
 
 #include "neighbours/wide_any-inl.h"
-#include "neighbours/wide_plan-inl.h"
+#include "neighbours/wide_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sturnus {

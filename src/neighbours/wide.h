@@ -59,6 +59,7 @@ WideProgram without_idle_rows(const WideProgram& program, std::uint64_t flocks);
 struct WideBatch {
   const Boids* boids = nullptr;
   Span targets{};
+  const Box* box = nullptr;               ///< that holds the targets
   std::span<const Span> spans;            ///< of candidates
   bool few = false;                       ///< see `few_candidates`
   const Wrapping* image = nullptr;        ///< `wraps` only where some candidate may be near over the seam

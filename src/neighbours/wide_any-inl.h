@@ -59,11 +59,11 @@ HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const
   std::size_t seen_so_far = 0;
   for (const Span span : batch.spans) {
     for (std::size_t candidate = span.begin; candidate < span.end; ++candidate) {
-      const Seen<D> seen = Look<D, wraps>(targets, batch, nullptr, candidate);
+      const Seen<D> seen = Look<D, wraps>(targets, *batch.boids, batch.image, nullptr, candidate);
       Lanes_mask masks[WideProgram::most];
       for (std::size_t f = 0; f < program.filter_count; ++f) {
         masks[f] = PassesFilter<D>(filters, f, targets, seen, *batch.boids, candidate);
-        if (candidate - targets.first < width) masks[f] = NotSelf<true>(masks[f], candidate, targets.first);
+        masks[f] = NotSelf(masks[f], static_cast<std::uint32_t>(candidate), targets.slots);
         sums.count[f] = CountWhere(masks[f], sums.count[f]);
       }
       AddAny<D>(batch, program, masks, seen, candidate, running);
@@ -78,18 +78,17 @@ HWY_INLINE void WalkAny(const WideBatch& batch, const Targets<D>& targets, const
 
 template <int D>
 HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
-  const WideProgram& program = *batch.program;
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
     FillFilters(batch, first, filters);
-    const Targets<D> targets = Load<D>(batch, first);
+    const Targets<D> targets = Load<D>(batch, first, filters.has_views);
     Sums sums;
     if (batch.image->wraps) {
       WalkAny<D, Wraps::by_comparison>(batch, targets, filters, sums);
     } else {
       WalkAny<D, Wraps::no>(batch, targets, filters, sums);
     }
-    StoreSums(batch, first, program, sums);
+    StoreSums(batch, first, sums);
   }
 }
 

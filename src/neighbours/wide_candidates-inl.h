@@ -23,19 +23,21 @@ template <int D>
 struct Targets {
   Lanes position[3], velocity[3];
   Lanes speed;
-  std::size_t first = 0;  ///< slot in lane 0
+  Counts slots;
 };
 
+// `with_speed`: where somebody looks only ahead.
 template <int D>
-HWY_INLINE Targets<D> Load(const WideBatch& batch, std::size_t first) {
+HWY_INLINE Targets<D> Load(const WideBatch& batch, std::size_t first, bool with_speed) {
+  const hn::RebindToSigned<Floats> di;
   Targets<D> targets;
-  targets.first = first;
+  targets.slots = hn::Add(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(first)));
   const std::size_t count = std::min<std::size_t>(width, batch.targets.end - first);
   for (std::size_t axis = 0; axis < D; ++axis) {
     targets.position[axis] = LoadSome(batch.boids->position[axis] + first, count);
-    targets.velocity[axis] = LoadSome(batch.boids->velocity[axis] + first, count);
+    if (with_speed) targets.velocity[axis] = LoadSome(batch.boids->velocity[axis] + first, count);
   }
-  targets.speed = hn::Sqrt(Squared<D>(targets.velocity));
+  if (with_speed) targets.speed = hn::Sqrt(Squared<D>(targets.velocity));
   return targets;
 }
 
@@ -53,16 +55,16 @@ struct Seen {
 enum class Wraps { no, by_span, by_comparison };
 
 template <int D, Wraps wraps>
-HWY_INLINE Seen<D> Look(const Targets<D>& targets, const WideBatch& batch, const Lanes* shift,
-                        std::size_t candidate) {
+HWY_INLINE Seen<D> Look(const Targets<D>& targets, const Boids& boids, const Wrapping* image,
+                        const Lanes* shift, std::size_t candidate) {
   const Floats d;
   Seen<D> seen;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    Lanes o = hn::Sub(targets.position[axis], hn::Set(d, batch.boids->position[axis][candidate]));
+    Lanes o = hn::Sub(targets.position[axis], hn::Set(d, boids.position[axis][candidate]));
     if (wraps == Wraps::by_span) o = hn::Add(o, shift[axis]);
     if (wraps == Wraps::by_comparison) {
-      const Lanes half = hn::Set(d, batch.image->half[axis]);
-      const Lanes size = hn::Set(d, batch.image->size[axis]);
+      const Lanes half = hn::Set(d, image->half[axis]);
+      const Lanes size = hn::Set(d, image->size[axis]);
       const auto above = hn::Gt(o, half);
       const auto below = hn::Lt(o, hn::Neg(half));
       o = hn::IfThenElse(above, hn::Sub(o, size), hn::IfThenElse(below, hn::Add(o, size), o));
@@ -135,13 +137,11 @@ HWY_INLINE Lanes_mask PassesFilter(const Filters& filters, std::size_t f, const 
   return mask;
 }
 
-// Whoever is his own candidate is left out.
-template <bool with_self>
-HWY_INLINE Lanes_mask NotSelf(Lanes_mask mask, std::size_t candidate, std::size_t first) {
-  if (!with_self) return mask;
-  const Floats d;
-  const float own = static_cast<float>(static_cast<std::int64_t>(candidate - first));
-  return hn::And(mask, hn::Ne(hn::Iota(d, 0.0f), hn::Set(d, own)));
+// Whoever is the candidate himself is left out; `slots` are those of the lanes.
+HWY_INLINE Lanes_mask NotSelf(Lanes_mask mask, const std::uint32_t& candidate, Counts slots) {
+  const hn::RebindToSigned<Floats> d;
+  const auto others = hn::Ne(slots, hn::Set(d, static_cast<std::int32_t>(candidate)));
+  return hn::And(mask, hn::RebindMask(Floats(), others));
 }
 
 }  // namespace HWY_NAMESPACE

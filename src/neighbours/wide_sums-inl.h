@@ -105,25 +105,30 @@ HWY_INLINE void StoreRow(const WideBatch& batch, std::size_t first, std::size_t 
   hn::BlendedStore(count, hn::RebindMask(di, steered), di, to);
 }
 
-HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const WideProgram& program,
-                          const Sums& sums) {
+// What is nobody's sum.
+HWY_INLINE void StoreEmpty(const WideBatch& batch, std::size_t first, Lanes_mask steered) {
   const Floats d;
+  const Lanes nothing[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  for (std::uint64_t left = batch.program->empty_rows; left != 0; left &= left - 1)
+    StoreRow(batch, first, static_cast<std::size_t>(std::countr_zero(left)), steered, nothing,
+             hn::Zero(hn::RebindToSigned<Floats>()));
+}
+
+HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const Sums& sums) {
+  const WideProgram& program = *batch.program;
   const Lanes_mask steered = Steered(batch, first);
   for (std::size_t r = 0; r < program.row_count; ++r) {
     const WideRow row = program.rows[r];
     StoreRow(batch, first, row.row, steered, sums.value[r], sums.count[row.filter]);
   }
-  const Lanes nothing[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-  for (std::uint64_t left = program.empty_rows; left != 0; left &= left - 1)
-    StoreRow(batch, first, static_cast<std::size_t>(std::countr_zero(left)), steered, nothing,
-             hn::Zero(hn::RebindToSigned<Floats>()));
+  StoreEmpty(batch, first, steered);
 }
 
 // For boids who look at nobody of those who are near.
 HWY_INLINE void StoreNothing(const WideBatch& batch) {
   const Sums none{};
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width)
-    StoreSums(batch, first, *batch.program, none);
+    StoreSums(batch, first, none);
 }
 
 }  // namespace HWY_NAMESPACE

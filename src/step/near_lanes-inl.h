@@ -175,13 +175,6 @@ HWY_INLINE Lanes_mask MayMeet(const SeenObstacle<D>& seen, const LaneVec<D>& vel
   return hn::Not(hn::And(misses, hn::Gt(speed_squared, hn::Set(d, 1e-30f))));
 }
 
-// A bit for each lane of the mask.
-HWY_INLINE std::uint32_t BitsOf(Lanes_mask mask) {
-  std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(Floats(), mask, bytes.data());
-  return bytes[0] | std::uint32_t{bytes[1]} << 8;
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace sturnus
 HWY_AFTER_NAMESPACE();

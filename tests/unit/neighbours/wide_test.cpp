@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <random>
 
 #include "isas.h"
 #include "scene.h"
@@ -157,6 +158,92 @@ RC_GTEST_PROP(WideKernel, GivesTheBitsOfThePlainOneInOpenWorlds, ()) {
 }
 RC_GTEST_PROP(WideKernel, GivesTheBitsOfThePlainOneInWrappedWorlds, ()) {
   for (const Option option : every_option) expect_equal_bits(random_scene(option, true), option);
+}
+
+// A wrapped cube of 4.2 reaches with boids all over it, in so many rows of cells a reach: spans are seen over
+// every seam.
+Scene cube_scene(int count, int fineness) {
+  constexpr float reaches = 4.2f;
+  Scene scene;
+  RandomWorld& world = scene.world;
+  world.dimensions = 3;
+  world.wraps = true;
+  std::mt19937 random(3);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    world.max[axis] = reaches;
+    for (int i = 0; i < count; ++i)
+      world.position[axis].push_back(reaches * static_cast<float>(random() >> 8) * 0x1p-24f);
+  }
+  for (int i = 0; i < count; ++i) world.ids.push_back(static_cast<std::uint64_t>(i));
+  world.hidden.assign(world.size(), 0);
+  scene.velocity = scene.heading = scene.colour = world.position;
+  scene.flock.assign(world.size(), 0);
+  scene.model.dimensions = 3;
+  scene.model.boundary = BoundaryKind::wrap;
+  scene.model.max = world.max;
+  scene.model.size = world.image().size;
+  scene.model.reach = 1;
+  scene.model.flocks.resize(1);
+  FlockModel& flock = scene.model.flocks[0];
+  flock.reach_squared = 1;
+  for (const Quantity quantity : {Quantity::offset, Quantity::velocity, Quantity::offset}) {
+    flock.rows.emplace_back();
+    flock.rows.back().quantity = quantity;
+    flock.rows.back().outer_squared = flock.rows.size() == 1 ? 0.25f : 1.0f;
+    flock.rows.back().strength = flock.rows.size() == 1 ? Strength::fades : Strength::grows;
+    flock.rows.back().flocks = 1;
+  }
+  scene.model.most_rows = flock.rows.size();
+  scene.index = make_grid();
+  Cloud cloud = world.cloud();
+  cloud.fineness = fineness;
+  std::vector<std::uint32_t> order;
+  scene.index->build(cloud, world.reach, Workers(1), order);
+  world.reorder_as(order);
+  return scene;
+}
+
+// The most spans of a batch, and the fewest candidates.
+struct Asked {
+  std::size_t most_spans = 0, fewest_candidates = ~std::size_t{0};
+};
+
+Asked asked_by(const Scene& scene) {
+  std::vector<Span> batches, spans;
+  scene.index->batches(batches);
+  Asked asked;
+  for (const Span& batch : batches) {
+    const Box box = wide_box<3>(scene.boids(), batch);
+    scene.index->spans(box.low, box.high, 1, spans);
+    asked.most_spans = std::max(asked.most_spans, spans.size());
+    asked.fewest_candidates = std::min(asked.fewest_candidates, candidates(spans));
+  }
+  return asked;
+}
+
+void expect_equal_bits(const Scene& scene) {
+  const IsaGuard guard;
+  ASSERT_TRUE(use_isa(Isa::plain));
+  const auto plain = sums_of(scene);
+  for (const NamedIsa& isa : wide_isas) {
+    if (!use_isa(isa.isa)) continue;
+    const auto wide = sums_of(scene);
+    EXPECT_EQ(std::memcmp(wide.data(), plain.data(), plain.size() * sizeof plain[0]), 0) << isa.name;
+  }
+}
+
+TEST(WideKernel, SeesMoreSpansThanItListsAtOnce) {
+  const Scene scene = cube_scene(800, 4);
+  EXPECT_GT(asked_by(scene).most_spans, 64u);
+  EXPECT_LT(asked_by(scene).fewest_candidates, few_candidates[1]);
+  expect_equal_bits(scene);
+}
+
+TEST(WideKernel, SeesSpansOverASeamThatAreListedInPieces) {
+  const Scene scene = cube_scene(4000, 1);
+  EXPECT_LT(asked_by(scene).most_spans, 64u);
+  EXPECT_GT(asked_by(scene).fewest_candidates, few_candidates[1]);
+  expect_equal_bits(scene);
 }
 
 TEST(WideKernel, RowsThatFilterAlikeShareAFilter) {
