@@ -3,6 +3,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 # Colours that people of every sight can tell apart (Okabe and Ito).
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
@@ -39,7 +40,28 @@ def draw_line(axes, rows, x, y, label, number):
                 marker=MARKERS[number % len(MARKERS)], label=label)
 
 
+def in_words(value, _=None):
+    """0.5, 200, 10k, 1M."""
+    for size, letter in ((1e6, "M"), (1e3, "k")):
+        if value >= size:
+            return f"{value / size:g}{letter}"
+    return f"{value:g}"
+
+
+def label_axis(axis, low, high):
+    """Names enough numbers on a logarithmic axis that values between can be read."""
+    steps = (1.0, 2.0, 5.0) if high < 300 * low else (1.0,)
+    axis.set_major_locator(LogLocator(base=10, subs=steps))
+    axis.set_major_formatter(FuncFormatter(in_words))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def save(figure, path):
+    for plot in figure.axes:
+        if plot.get_xscale() == "log":
+            label_axis(plot.xaxis, *plot.get_xlim())
+        if plot.get_yscale() == "log":
+            label_axis(plot.yaxis, *plot.get_ylim())
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)
 
