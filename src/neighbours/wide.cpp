@@ -8,7 +8,6 @@
 
 #include <hwy/highway.h>
 
-#include "neighbours/wide_any-inl.h"
 #include "neighbours/wide_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,19 +32,20 @@ struct PlanList {
   }
 };
 
-// The programs that have plans; every other one runs as any program does.
+// The programs that have plans of their own; every other one is summed row by row.
 using enum WideAddend;
 #ifdef STURNUS_FEW_PLANS
 using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>>;
 using PlansWithOptions = PlanList<Plan<2, true, grows, velocity, grows>>;
 #else
-using SimplePlans =
-    PlanList<Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
-             Plan<2, false, grows, velocity, grows>, Plan<1, false, fades>, Plan<1, false, grows>,
-             Plan<1, false, velocity, grows>, Plan<1, false, velocity, grows, grows>>;
+using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
+                             Plan<3, false, fades, velocity, grows>, Plan<2, false, grows, velocity, grows>,
+                             Plan<1, false, fades>, Plan<1, false, grows>, Plan<1, false, velocity, grows>,
+                             Plan<1, false, velocity, grows, grows>>;
 using PlansWithOptions =
     PlanList<Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
-             Plan<3, true, fades, heading, fades>, Plan<3, true, fades, constant, velocity, grows>>;
+             Plan<3, true, fades, velocity, grows>, Plan<3, true, fades, heading, fades>,
+             Plan<3, true, fades, constant, velocity, grows>>;
 #endif
 
 template <int D>

@@ -68,6 +68,7 @@ struct WideBatch {
   const WideProgram* program = nullptr;   ///< of the steered; in a mixed batch it has the shape of them all
   std::uint64_t steered = 0;              ///< the flocks whose boids get sums; their programs have one shape
   bool is_mixed = false;                  ///< the batch also holds boids of others, or of several
+  std::size_t row = 0, filter = 0;        ///< of the program, from which on it is summed
   SumBlock* sums = nullptr;
 };
 

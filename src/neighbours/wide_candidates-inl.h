@@ -79,7 +79,6 @@ HWY_INLINE Seen<D> Look(const Targets<D>& targets, const Boids& boids, const Wra
 
 // The filters of a batch, lane by lane where flocks stand mixed.
 struct Filters {
-  std::size_t count = 0;
   bool has_rings = false, has_views = false, asks_flocks = false;
   HWY_ALIGN float outer[WideProgram::most][width];
   HWY_ALIGN float inner[WideProgram::most][width];
@@ -93,7 +92,7 @@ HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_
   for (std::size_t lane = 0; lane < width; ++lane) {
     const std::size_t slot = std::min<std::size_t>(first + lane, batch.targets.end - 1);
     const WideProgram& program = batch.is_mixed ? batch.programs[batch.boids->flock[slot]] : *batch.program;
-    const WideFilter& filter = program.filters[f];
+    const WideFilter& filter = program.filters[batch.filter + f];
     filters.outer[f][lane] = filter.outer_squared;
     filters.inner[f][lane] = filter.inner_squared;
     filters.cosine[f][lane] = filter.sees_all ? -infinity : filter.cos_half_view;
@@ -109,10 +108,10 @@ HWY_INLINE void FillFilter(const WideBatch& batch, std::size_t first, std::size_
   }
 }
 
-HWY_INLINE void FillFilters(const WideBatch& batch, std::size_t first, Filters& filters) {
-  filters.count = batch.program->filter_count;
+// So many filters of the program, from the batch's own on.
+HWY_INLINE void FillFilters(const WideBatch& batch, std::size_t first, std::size_t count, Filters& filters) {
   filters.has_rings = filters.has_views = filters.asks_flocks = false;
-  for (std::size_t f = 0; f < filters.count; ++f) FillFilter(batch, first, f, filters);
+  for (std::size_t f = 0; f < count; ++f) FillFilter(batch, first, f, filters);
 }
 
 template <int D>

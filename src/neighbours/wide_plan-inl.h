@@ -22,6 +22,11 @@ struct Plan {
   static constexpr int filters = filter_count;
   static constexpr bool has_options = with_options;
   static constexpr int filter_of(int row) { return row < filters ? row : filters - 1; }
+  /// Numbers in the sum of a row.
+  template <int D>
+  static constexpr std::size_t components(std::size_t row) {
+    return addends[row] == WideAddend::colour ? 3 : D;
+  }
   /// Whether a boid that passes the filter for itself, as all do, adds nothing but its count.
   template <int f>
   static constexpr bool adds_nothing_to_itself = [] {
@@ -85,7 +90,7 @@ template <int D, class ThePlan, int f, int r>
 HWY_INLINE void CopyRow(const Running<ThePlan>& from, const Wholes<ThePlan>* from_wholes,
                         Running<ThePlan>& to, Wholes<ThePlan>* to_wholes) {
   if constexpr (r < ThePlan::rows && ThePlan::filter_of(r) == f) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
+    for (std::size_t axis = 0; axis < ThePlan::template components<D>(r); ++axis) {
       to.part[r][axis] = from.part[r][axis];
       if (ThePlan::addends[r] == WideAddend::fades && to_wholes != nullptr)
         to_wholes->sum[r][axis] = from_wholes->sum[r][axis];
@@ -104,31 +109,33 @@ HWY_INLINE void CopyRows(const Running<ThePlan>& from, const Wholes<ThePlan>* fr
 }
 
 template <int D, class ThePlan, int r>
-HWY_INLINE void ClearRow(const WideProgram& program, Running<ThePlan>& running) {
+HWY_INLINE void ClearRow(const WideBatch& batch, Running<ThePlan>& running) {
   const Floats d;
   if constexpr (r < ThePlan::filters) {
     // Who is his own candidate, and adds nothing, is counted all the same.
-    const bool counts_itself =
-        ThePlan::template adds_nothing_to_itself<r> && program.filters[r].outer_squared > 0;
+    const bool counts_itself = ThePlan::template adds_nothing_to_itself<r> &&
+                               batch.program->filters[batch.filter + r].outer_squared > 0;
     running.count[r] = hn::Set(hn::RebindToSigned<Floats>(), counts_itself ? -1 : 0);
   }
   if constexpr (r < ThePlan::rows) {
-    for (std::size_t axis = 0; axis < D; ++axis) running.part[r][axis] = hn::Zero(d);
+    for (std::size_t axis = 0; axis < ThePlan::template components<D>(r); ++axis)
+      running.part[r][axis] = hn::Zero(d);
   }
 }
 
 template <int D, class ThePlan>
-HWY_INLINE void Clear(const WideProgram& program, Running<ThePlan>& running) {
-  ClearRow<D, ThePlan, 0>(program, running);
-  ClearRow<D, ThePlan, 1>(program, running);
-  ClearRow<D, ThePlan, 2>(program, running);
-  ClearRow<D, ThePlan, 3>(program, running);
+HWY_INLINE void Clear(const WideBatch& batch, Running<ThePlan>& running) {
+  ClearRow<D, ThePlan, 0>(batch, running);
+  ClearRow<D, ThePlan, 1>(batch, running);
+  ClearRow<D, ThePlan, 2>(batch, running);
+  ClearRow<D, ThePlan, 3>(batch, running);
 }
 
 template <int D, class ThePlan, int r>
 HWY_INLINE void ClearWhole(Wholes<ThePlan>& wholes) {
   if constexpr (r < ThePlan::rows) {
-    for (std::size_t axis = 0; axis < D; ++axis) wholes.sum[r][axis] = ZeroDoubled();
+    for (std::size_t axis = 0; axis < ThePlan::template components<D>(r); ++axis)
+      wholes.sum[r][axis] = ZeroDoubled();
   }
 }
 
@@ -144,7 +151,7 @@ template <int D, class ThePlan, int r>
 HWY_INLINE void FoldRow(Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
   const Floats d;
   if constexpr (r < ThePlan::rows) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
+    for (std::size_t axis = 0; axis < ThePlan::template components<D>(r); ++axis) {
       AddDoubled(wholes.sum[r][axis], running.part[r][axis]);
       running.part[r][axis] = hn::Zero(d);
     }
@@ -164,10 +171,12 @@ HWY_INLINE void StoreRowOf(const WideBatch& batch, std::size_t first, Lanes_mask
                            const Running<ThePlan>& running, const Wholes<ThePlan>* wholes) {
   if constexpr (r < ThePlan::rows) {
     Lanes value[3];
-    for (std::size_t axis = 0; axis < D; ++axis)
+    for (std::size_t axis = 0; axis < ThePlan::template components<D>(r); ++axis)
       value[axis] = wholes == nullptr ? running.part[r][axis] : Rounded(wholes->sum[r][axis]);
-    for (std::size_t axis = D; axis < 3; ++axis) value[axis] = hn::Zero(Floats());
-    StoreRow(batch, first, batch.program->rows[r].row, steered, value, running.count[ThePlan::filter_of(r)]);
+    for (std::size_t axis = ThePlan::template components<D>(r); axis < 3; ++axis)
+      value[axis] = hn::Zero(Floats());
+    StoreRow(batch, first, batch.program->rows[batch.row + r].row, steered, value,
+             running.count[ThePlan::filter_of(r)]);
   }
 }
 

@@ -71,12 +71,6 @@ HWY_INLINE void AddFading(Doubled* whole, Lanes_mask mask, const Seen<D>& seen) 
     SubtractDoubled(whole[axis], hn::IfThenElseZero(mask, values[axis]));
 }
 
-// The sums of one register's lanes, by row and filter of the program.
-struct Sums {
-  Lanes value[WideProgram::most][3];
-  Counts count[WideProgram::most];
-};
-
 // Which lanes hold boids that are steered here.
 HWY_INLINE Lanes_mask Steered(const WideBatch& batch, std::size_t first) {
   const Floats d;
@@ -114,21 +108,10 @@ HWY_INLINE void StoreEmpty(const WideBatch& batch, std::size_t first, Lanes_mask
              hn::Zero(hn::RebindToSigned<Floats>()));
 }
 
-HWY_INLINE void StoreSums(const WideBatch& batch, std::size_t first, const Sums& sums) {
-  const WideProgram& program = *batch.program;
-  const Lanes_mask steered = Steered(batch, first);
-  for (std::size_t r = 0; r < program.row_count; ++r) {
-    const WideRow row = program.rows[r];
-    StoreRow(batch, first, row.row, steered, sums.value[r], sums.count[row.filter]);
-  }
-  StoreEmpty(batch, first, steered);
-}
-
 // For boids who look at nobody of those who are near.
 HWY_INLINE void StoreNothing(const WideBatch& batch) {
-  const Sums none{};
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width)
-    StoreSums(batch, first, none);
+    StoreEmpty(batch, first, Steered(batch, first));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -25,7 +25,7 @@ struct Walk {
     for (std::size_t f = 0; f < ThePlan::filters; ++f) {
       listed[f].count = 0;
       outer[f] = ThePlan::has_options ? hn::Load(d, filters.outer[f])
-                                      : hn::Set(d, of.program->filters[f].outer_squared);
+                                      : hn::Set(d, of.program->filters[of.filter + f].outer_squared);
     }
   }
 
@@ -118,7 +118,7 @@ HWY_INLINE void WalkSpans(Walk<D, ThePlan>& walk, std::size_t first) {
   Running<ThePlan> running;
   Wholes<ThePlan> doubled;
   Wholes<ThePlan>* const wholes = few ? nullptr : &doubled;
-  Clear<D, ThePlan>(*walk.batch.program, running);
+  Clear<D, ThePlan>(walk.batch, running);
   if (!few) Clear<D, ThePlan>(doubled);
   const LaneBox box = BoxAround<D>(walk.targets, *walk.batch.box);
   const Lanes outer = hn::MaxOfLanes(Floats(), walk.outer[last]);
@@ -162,7 +162,7 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
   const bool spans_tell = batch.image->wraps && SpansTell(batch.spans);
   for (std::size_t first = batch.targets.begin; first < batch.targets.end; first += width) {
     Filters filters;
-    if constexpr (ThePlan::has_options) FillFilters(batch, first, filters);
+    if constexpr (ThePlan::has_options) FillFilters(batch, first, ThePlan::filters, filters);
     Walk<D, ThePlan> walk(batch, first, filters);
     if (!batch.image->wraps) {
       WalkAll<D, Wraps::no, ThePlan>(walk, first);
@@ -171,6 +171,36 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
     } else {
       WalkAll<D, Wraps::by_comparison, ThePlan>(walk, first);
     }
+  }
+}
+
+// One row of a program, whatever stands in it.
+template <int D>
+HWY_INLINE void SumRow(const WideBatch& batch) {
+  using enum WideAddend;
+  switch (batch.program->rows[batch.row].addend) {
+    case fades:
+      return SumBatchBy<D, Plan<1, true, fades>>(batch);
+    case constant:
+      return SumBatchBy<D, Plan<1, true, constant>>(batch);
+    case heading:
+      return SumBatchBy<D, Plan<1, true, heading>>(batch);
+    case velocity:
+      return SumBatchBy<D, Plan<1, true, velocity>>(batch);
+    case grows:
+      return SumBatchBy<D, Plan<1, true, grows>>(batch);
+    case colour:
+      return SumBatchBy<D, Plan<1, true, colour>>(batch);
+  }
+}
+
+// Any program: row by row, each as a plan of its own.
+template <int D>
+HWY_NOINLINE void SumBatchAny(const WideBatch& batch) {
+  WideBatch one = batch;
+  for (one.row = 0; one.row < batch.program->row_count; ++one.row) {
+    one.filter = batch.program->rows[one.row].filter;
+    SumRow<D>(one);
   }
 }
 
