@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 // min(r, filters - 1).
 template <int filter_count, bool with_options, WideAddend... list>
 struct Plan {
-  static constexpr WideAddend addends[] = {list...};
   static constexpr std::size_t rows = sizeof...(list);
+  static constexpr WideAddend addends[rows] = {list...};
   static constexpr int filters = filter_count;
   static constexpr bool has_options = with_options;
   static constexpr int filter_of(int row) { return row < filters ? row : filters - 1; }
@@ -29,13 +29,13 @@ struct Plan {
   }
   /// Whether a boid that passes the filter for itself, as all do, adds nothing but its count.
   template <int f>
-  static constexpr bool adds_nothing_to_itself = [] {
+  static constexpr bool adds_nothing_to_itself() {
     for (std::size_t r = 0; r < rows; ++r) {
       const bool pushes = addends[r] == WideAddend::fades || addends[r] == WideAddend::constant;
       if (filter_of(static_cast<int>(r)) == f && !pushes) return false;
     }
     return !has_options;
-  }();
+  }
 };
 
 // Whether a program is what a plan says.
@@ -113,7 +113,7 @@ HWY_INLINE void ClearRow(const WideBatch& batch, Running<ThePlan>& running) {
   const Floats d;
   if constexpr (r < ThePlan::filters) {
     // Who is his own candidate, and adds nothing, is counted all the same.
-    const bool counts_itself = ThePlan::template adds_nothing_to_itself<r> &&
+    const bool counts_itself = ThePlan::template adds_nothing_to_itself<r>() &&
                                batch.program->filters[batch.filter + r].outer_squared > 0;
     running.count[r] = hn::Set(hn::RebindToSigned<Floats>(), counts_itself ? -1 : 0);
   }

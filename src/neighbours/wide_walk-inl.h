@@ -86,7 +86,8 @@ HWY_NOINLINE void WalkListed(Walk<D, ThePlan>& walk, Running<ThePlan>& sums, Who
     if constexpr (lists && f > 0) ListNear<0, wraps>(seen, outer_0, candidate, turn, walk.listed, near_0);
     if constexpr (lists && f > 1) ListNear<1, wraps>(seen, outer_1, candidate, turn, walk.listed, near_1);
     auto mask = Passes<f>(walk, targets, outer, seen, boids, candidate);
-    if constexpr (!ThePlan::template adds_nothing_to_itself<f>) mask = NotSelf(mask, slots[i], targets.slots);
+    if constexpr (!ThePlan::template adds_nothing_to_itself<f>())
+      mask = NotSelf(mask, slots[i], targets.slots);
     AddRows<ThePlan, f>(boids, seen, mask, candidate, running, wholes);
   }
   walk.listed[f].count = 0;
