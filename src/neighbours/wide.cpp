@@ -40,12 +40,9 @@ using PlansWithOptions = PlanList<Plan<2, true, grows, velocity, grows>>;
 #else
 using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
                              Plan<3, false, fades, velocity, grows>, Plan<2, false, grows, velocity, grows>,
-                             Plan<1, false, fades>, Plan<1, false, grows>, Plan<1, false, velocity, grows>,
-                             Plan<1, false, velocity, grows, grows>>;
+                             Plan<1, false, fades>, Plan<1, false, velocity, grows>>;
 using PlansWithOptions =
-    PlanList<Plan<2, true, fades, velocity, grows>, Plan<2, true, grows, velocity, grows>,
-             Plan<3, true, fades, velocity, grows>, Plan<3, true, fades, heading, fades>,
-             Plan<3, true, fades, constant, velocity, grows>>;
+    PlanList<Plan<2, true, fades, velocity, grows>, Plan<3, true, fades, velocity, grows>>;
 #endif
 
 template <int D>

@@ -119,6 +119,13 @@ HWY_INLINE void List(const Boids& boids, const LaneBox& box, Lanes outer, const 
   listed.count = count;
 }
 
+// The same where it is rarer, compiled once for all plans.
+template <int D, Wraps wraps>
+HWY_NOINLINE void ListApart(const Boids& boids, const LaneBox& box, Lanes outer, const Shifts& shifts,
+                            std::size_t begin, std::size_t end, Listed& listed) {
+  List<D, wraps>(boids, box, outer, shifts, begin, end, listed);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace sturnus
 HWY_AFTER_NAMESPACE();

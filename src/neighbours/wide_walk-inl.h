@@ -128,7 +128,8 @@ HWY_INLINE void WalkSpans(Walk<D, ThePlan>& walk, std::size_t first) {
     if (wraps == Wraps::by_span) SetShift(span, *walk.batch.image, walk.shifts);
     for (std::size_t at = span.begin; at < span.end;) {
       const std::size_t end = std::min<std::size_t>(span.end, at + left);
-      List<D, wraps>(walk.boids, box, outer, walk.shifts, at, end, walk.listed[last]);
+      constexpr auto list = wraps == Wraps::no ? List<D, wraps> : ListApart<D, wraps>;
+      list(walk.boids, box, outer, walk.shifts, at, end, walk.listed[last]);
       left -= end - at;
       at = end;
       if (left != 0) continue;
