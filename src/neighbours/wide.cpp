@@ -34,7 +34,10 @@ struct PlanList {
 
 // The programs that have plans of their own; every other one is summed row by row.
 using enum WideAddend;
-#ifdef STURNUS_FEW_PLANS
+#if HWY_TARGET == HWY_SCALAR  // for machines without any of the others, and for nobody else
+using SimplePlans = PlanList<>;
+using PlansWithOptions = PlanList<>;
+#elif defined(STURNUS_FEW_PLANS)
 using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>>;
 using PlansWithOptions = PlanList<Plan<2, true, grows, velocity, grows>>;
 #else

@@ -27,6 +27,13 @@ struct Plan {
   static constexpr std::size_t components(std::size_t row) {
     return addends[row] == WideAddend::colour ? 3 : D;
   }
+  /// Whether a row of the filter fades with distance.
+  template <int f>
+  static constexpr bool fades_in() {
+    for (std::size_t r = 0; r < rows; ++r)
+      if (filter_of(static_cast<int>(r)) == f && addends[r] == WideAddend::fades) return true;
+    return false;
+  }
   /// Whether a boid that passes the filter for itself, as all do, adds nothing but its count.
   template <int f>
   static constexpr bool adds_nothing_to_itself() {

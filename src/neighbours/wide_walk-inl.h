@@ -56,9 +56,10 @@ HWY_INLINE void ListNear(const Seen<D>& seen, Lanes outer, std::uint32_t candida
 }
 
 // The rows of a filter, for those who are listed; from the largest filter on these list who comes near enough
-// for the smaller ones. A function of its own, with all that it needs in registers.
-template <int f, int D, Wraps wraps, bool few, class ThePlan>
-HWY_NOINLINE void WalkListed(Walk<D, ThePlan>& walk, Running<ThePlan>& sums, Wholes<ThePlan>* doubled) {
+// for the smaller ones. A function of its own, with all that it needs in registers. `doubles`: what fades is
+// summed in double.
+template <int f, int D, Wraps wraps, bool doubles, class ThePlan>
+HWY_NOINLINE void WalkListed(Walk<D, ThePlan>& walk, Running<ThePlan>& sums, Wholes<ThePlan>& doubled) {
   constexpr bool lists = f + 1 == ThePlan::filters;
   const Boids boids = walk.boids;
   const Targets<D> targets = walk.targets;
@@ -68,8 +69,8 @@ HWY_NOINLINE void WalkListed(Walk<D, ThePlan>& walk, Running<ThePlan>& sums, Who
   std::size_t near_0 = 0, near_1 = 0;
   Running<ThePlan> running;
   Wholes<ThePlan> own_wholes;
-  Wholes<ThePlan>* const wholes = few ? nullptr : &own_wholes;
-  CopyRows<D, ThePlan, f>(sums, doubled, running, wholes);
+  Wholes<ThePlan>* const wholes = doubles ? &own_wholes : nullptr;
+  CopyRows<D, ThePlan, f>(sums, &doubled, running, wholes);
   const std::uint32_t* const slots = walk.listed[f].slot;
   const std::size_t count = walk.listed[f].count;
   for (std::size_t i = 0; i < count; ++i) {
@@ -93,34 +94,37 @@ HWY_NOINLINE void WalkListed(Walk<D, ThePlan>& walk, Running<ThePlan>& sums, Who
   walk.listed[f].count = 0;
   if constexpr (lists && f > 0) walk.listed[0].count = near_0;
   if constexpr (lists && f > 1) walk.listed[1].count = near_1;
-  CopyRows<D, ThePlan, f>(running, wholes, sums, few ? nullptr : doubled);
+  CopyRows<D, ThePlan, f>(running, wholes, sums, doubles ? &doubled : nullptr);
 }
 
-template <int D, Wraps wraps, bool few, class ThePlan, int f>
-HWY_INLINE void WalkFrom(Walk<D, ThePlan>& walk, Running<ThePlan>& running, Wholes<ThePlan>* wholes) {
+template <int D, Wraps wraps, class ThePlan, int f>
+HWY_INLINE void WalkFrom(Walk<D, ThePlan>& walk, Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
   if constexpr (f >= 0) {
-    WalkListed<f, D, wraps, few, ThePlan>(walk, running, wholes);
-    WalkFrom<D, wraps, few, ThePlan, f - 1>(walk, running, wholes);
+    if (ThePlan::template fades_in<f>() && !walk.batch.few)
+      WalkListed<f, D, wraps, ThePlan::template fades_in<f>()>(walk, running, wholes);
+    else
+      WalkListed<f, D, wraps, false>(walk, running, wholes);
+    WalkFrom<D, wraps, ThePlan, f - 1>(walk, running, wholes);
   }
 }
 
 // All who are listed, for all filters.
-template <int D, Wraps wraps, bool few, class ThePlan>
-HWY_INLINE void WalkLists(Walk<D, ThePlan>& walk, Running<ThePlan>& running, Wholes<ThePlan>* wholes) {
-  WalkFrom<D, wraps, few, ThePlan, ThePlan::filters - 1>(walk, running, wholes);
+template <int D, Wraps wraps, class ThePlan>
+HWY_INLINE void WalkLists(Walk<D, ThePlan>& walk, Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
+  WalkFrom<D, wraps, ThePlan, ThePlan::filters - 1>(walk, running, wholes);
   walk.shifts.turn = 0;
 }
 
-// `few`: in float alone.
-template <int D, Wraps wraps, bool few, class ThePlan>
+// A few candidates are summed in float alone, many in double piece by piece.
+template <int D, Wraps wraps, class ThePlan>
 HWY_INLINE void WalkSpans(Walk<D, ThePlan>& walk, std::size_t first) {
-  constexpr std::size_t at_once = few ? listed_at_once : candidates_in_float;
   constexpr int last = ThePlan::filters - 1;
+  const bool few = walk.batch.few;
+  const std::size_t at_once = few ? listed_at_once : candidates_in_float;
   Running<ThePlan> running;
-  Wholes<ThePlan> doubled;
-  Wholes<ThePlan>* const wholes = few ? nullptr : &doubled;
+  Wholes<ThePlan> wholes;
   Clear<D, ThePlan>(walk.batch, running);
-  if (!few) Clear<D, ThePlan>(doubled);
+  if (!few) Clear<D, ThePlan>(wholes);
   const LaneBox box = BoxAround<D>(walk.targets, *walk.batch.box);
   const Lanes outer = hn::MaxOfLanes(Floats(), walk.outer[last]);
   std::size_t left = at_once;
@@ -133,23 +137,17 @@ HWY_INLINE void WalkSpans(Walk<D, ThePlan>& walk, std::size_t first) {
       left -= end - at;
       at = end;
       if (left != 0) continue;
-      WalkLists<D, wraps, few, ThePlan>(walk, running, wholes);
+      WalkLists<D, wraps>(walk, running, wholes);
       if (wraps == Wraps::by_span) SetShift(span, *walk.batch.image, walk.shifts);
-      if (!few) Fold<D, ThePlan>(running, doubled);
+      if (!few) Fold<D, ThePlan>(running, wholes);
       left = at_once;
     }
     if (wraps == Wraps::by_span && ++walk.shifts.turn == turns_at_once)
-      WalkLists<D, wraps, few, ThePlan>(walk, running, wholes);
+      WalkLists<D, wraps>(walk, running, wholes);
   }
-  WalkLists<D, wraps, few, ThePlan>(walk, running, wholes);
-  if (!few) Fold<D, ThePlan>(running, doubled);
-  Store<D, ThePlan>(walk.batch, first, running, wholes);
-}
-
-template <int D, Wraps wraps, class ThePlan>
-HWY_INLINE void WalkAll(Walk<D, ThePlan>& walk, std::size_t first) {
-  walk.batch.few ? WalkSpans<D, wraps, true, ThePlan>(walk, first)
-                 : WalkSpans<D, wraps, false, ThePlan>(walk, first);
+  WalkLists<D, wraps>(walk, running, wholes);
+  if (!few) Fold<D, ThePlan>(running, wholes);
+  Store<D, ThePlan>(walk.batch, first, running, few ? nullptr : &wholes);
 }
 
 // Whether every span says over which end of the space its boids are seen.
@@ -167,11 +165,11 @@ HWY_NOINLINE void SumBatchBy(const WideBatch& batch) {
     if constexpr (ThePlan::has_options) FillFilters(batch, first, ThePlan::filters, filters);
     Walk<D, ThePlan> walk(batch, first, filters);
     if (!batch.image->wraps) {
-      WalkAll<D, Wraps::no, ThePlan>(walk, first);
+      WalkSpans<D, Wraps::no>(walk, first);
     } else if (spans_tell) {
-      WalkAll<D, Wraps::by_span, ThePlan>(walk, first);
+      WalkSpans<D, Wraps::by_span>(walk, first);
     } else {
-      WalkAll<D, Wraps::by_comparison, ThePlan>(walk, first);
+      WalkSpans<D, Wraps::by_comparison>(walk, first);
     }
   }
 }
