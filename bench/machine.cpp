@@ -16,9 +16,9 @@ namespace {
 std::string told(const std::string& key) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
-    const std::size_t colon = line.find(':');
-    const std::size_t end = line.find_last_not_of(" \t", colon - 1);
-    if (colon != std::string::npos && line.substr(0, end + 1) == key) return line.substr(colon + 2);
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string::npos) continue;
+    if (line.substr(0, line.find_last_not_of(" \t", colon - 1) + 1) == key) return line.substr(colon + 2);
   }
   return "unknown";
 }

@@ -135,29 +135,38 @@ std::vector<NeighbourSum> sums_of(const Scene& scene) {
   return sums_by(scene, passes);
 }
 
-void expect_equal_bits(const Scene& scene, Option option) {
+/// Where the plain kernel and an instruction set first give other bits; empty where they never do.
+std::string first_difference(const Scene& scene) {
   const IsaGuard guard;
-  RC_ASSERT(use_isa(Isa::plain));
+  if (!use_isa(Isa::plain)) return "there is no plain kernel";
   const auto plain = sums_of(scene);
   for (const NamedIsa& isa : wide_isas) {
     if (!use_isa(isa.isa)) continue;
     const auto wide = sums_of(scene);
     for (std::size_t i = 0; i < plain.size(); ++i) {
       if (std::memcmp(&wide[i], &plain[i], sizeof plain[i]) == 0) continue;
-      RC_FAIL("option " + std::to_string(static_cast<int>(option)) + " on " + isa.name + ", boid " +
-              std::to_string(i / scene.model.most_rows) + " of " + std::to_string(scene.world.size()) +
-              ", row " + std::to_string(i % scene.model.most_rows) + ": " + std::to_string(wide[i].value[0]) +
-              " for " + std::to_string(plain[i].value[0]) + ", count " + std::to_string(wide[i].count) +
-              " for " + std::to_string(plain[i].count));
+      return std::string(isa.name) + ", boid " + std::to_string(i / scene.model.most_rows) + " of " +
+             std::to_string(scene.world.size()) + ", row " + std::to_string(i % scene.model.most_rows) +
+             ": " + std::to_string(wide[i].value[0]) + " for " + std::to_string(plain[i].value[0]) +
+             ", count " + std::to_string(wide[i].count) + " for " + std::to_string(plain[i].count);
     }
+  }
+  return "";
+}
+
+void try_every_option(bool wraps) {
+  for (const Option option : every_option) {
+    const std::string difference = first_difference(random_scene(option, wraps));
+    if (!difference.empty())
+      RC_FAIL("option " + std::to_string(static_cast<int>(option)) + " on " + difference);
   }
 }
 
 RC_GTEST_PROP(WideKernel, GivesTheBitsOfThePlainOneInOpenWorlds, ()) {
-  for (const Option option : every_option) expect_equal_bits(random_scene(option, false), option);
+  try_every_option(false);
 }
 RC_GTEST_PROP(WideKernel, GivesTheBitsOfThePlainOneInWrappedWorlds, ()) {
-  for (const Option option : every_option) expect_equal_bits(random_scene(option, true), option);
+  try_every_option(true);
 }
 
 // A wrapped cube of 4.2 reaches with boids all over it, in so many rows of cells a reach: spans are seen over
@@ -221,29 +230,18 @@ Asked asked_by(const Scene& scene) {
   return asked;
 }
 
-void expect_equal_bits(const Scene& scene) {
-  const IsaGuard guard;
-  ASSERT_TRUE(use_isa(Isa::plain));
-  const auto plain = sums_of(scene);
-  for (const NamedIsa& isa : wide_isas) {
-    if (!use_isa(isa.isa)) continue;
-    const auto wide = sums_of(scene);
-    EXPECT_EQ(std::memcmp(wide.data(), plain.data(), plain.size() * sizeof plain[0]), 0) << isa.name;
-  }
-}
-
 TEST(WideKernel, SeesMoreSpansThanItListsAtOnce) {
   const Scene scene = cube_scene(800, 4);
   EXPECT_GT(asked_by(scene).most_spans, 64u);
   EXPECT_LT(asked_by(scene).fewest_candidates, few_candidates[1]);
-  expect_equal_bits(scene);
+  EXPECT_EQ(first_difference(scene), "");
 }
 
 TEST(WideKernel, SeesSpansOverASeamThatAreListedInPieces) {
   const Scene scene = cube_scene(4000, 1);
   EXPECT_LT(asked_by(scene).most_spans, 64u);
   EXPECT_GT(asked_by(scene).fewest_candidates, few_candidates[1]);
-  expect_equal_bits(scene);
+  EXPECT_EQ(first_difference(scene), "");
 }
 
 TEST(WideKernel, RowsThatFilterAlikeShareAFilter) {
