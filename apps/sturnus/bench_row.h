@@ -27,7 +27,7 @@ struct BenchRow {
   /// The same in CPU time: of the one thread; of several, the busiest one's in each phase.
   Spread cpu;
   std::array<double, 3> share{};  ///< of sort, neighbours and motion in the CPU time, 0 to 1
-  double candidates = 0;          ///< of a boid in a step, on average: whose distance was asked for
+  double candidates = 0;          ///< of a boid in a step, on average: whom the index names as maybe near
   double neighbours = 0;          ///< of a boid, on average, at the end; NaN where that means nothing
 
   std::uint64_t peak_memory = 0;  ///< bytes

@@ -17,8 +17,8 @@ class StepWatch {
   virtual ~StepWatch() = default;
   virtual void begin(Phase phase, int part) = 0;
   virtual void end(Phase phase, int part) = 0;
-  /// So many candidate pairs were looked at since the last call with this `part`: a boid and one who may be
-  /// near, whose distance was computed. Neighbours that come in whole cells are not among them.
+  /// So many candidate pairs there were since the last call with this `part`: a boid and one whom the index
+  /// names as maybe near. Neighbours that come in whole cells are not among them.
   virtual void looked_at(std::uint64_t pairs, int part) {
     static_cast<void>(pairs);
     static_cast<void>(part);

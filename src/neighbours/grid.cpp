@@ -185,12 +185,12 @@ class Grid : public NeighbourIndex {
     return std::max<std::int64_t>(4096, 8 * static_cast<std::int64_t>(boids));
   }
 
-  // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how
-  // many.
   // Where crowds are summed cell by cell, a row is cut as finely as pays.
   double cells_in_reach() const { return cloud_.fineness == 1 ? 4 : 4 * cloud_.fineness; }
 
   static constexpr double most_along_an_axis = 1 << 22;  // cells that a float still tells apart
+  // Sets the cells over the given stretch of each axis, `scale` times as large as they would be; returns how
+  // many.
   double lay(const std::array<std::array<double, 2>, 3>& stretch, double scale) {
     double total = 1;
     axes_[2] = {};

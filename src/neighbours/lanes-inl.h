@@ -89,22 +89,27 @@ HWY_INLINE Lanes LoadSome(const float* column, std::size_t count) {
   return hn::Load(d, values);
 }
 
-// A register of floats as doubles.
-#if HWY_TARGET == HWY_SCALAR
+// A register of floats as doubles; one by one where registers hold no doubles, as Highway has it for the
+// browser.
+#if !HWY_HAVE_FLOAT64 || HWY_TARGET == HWY_SCALAR
 struct Doubled {
-  double value;
+  double value[width];
 };
 HWY_INLINE Doubled ZeroDoubled() {
-  return {0.0};
+  return {};
 }
 HWY_INLINE void AddDoubled(Doubled& sum, Lanes values) {
-  sum.value += static_cast<double>(hn::GetLane(values));
+  HWY_ALIGN float lanes[width];
+  hn::Store(values, Floats(), lanes);
+  for (std::size_t i = 0; i < width; ++i) sum.value[i] += double{lanes[i]};
 }
 HWY_INLINE void SubtractDoubled(Doubled& sum, Lanes values) {
-  sum.value -= static_cast<double>(hn::GetLane(values));
+  AddDoubled(sum, hn::Neg(values));
 }
 HWY_INLINE Lanes Rounded(const Doubled& sum) {
-  return hn::Set(Floats(), static_cast<float>(sum.value));
+  HWY_ALIGN float lanes[width];
+  for (std::size_t i = 0; i < width; ++i) lanes[i] = static_cast<float>(sum.value[i]);
+  return hn::Load(Floats(), lanes);
 }
 #else
 using Doubles = hn::Repartition<double, Floats>;

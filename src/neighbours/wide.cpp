@@ -35,12 +35,12 @@ struct PlanList {
 // The programs that have plans of their own: those of the course systems and of the benchmarks. Every other
 // one is summed row by row, which takes these up to 2.3 times as long.
 using enum WideAddend;
-#if HWY_TARGET == HWY_SCALAR  // for machines without any of the others, and for nobody else
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128  // machines without any of the others
 using SimplePlans = PlanList<>;
 using PlansWithOptions = PlanList<>;
 #elif defined(STURNUS_FEW_PLANS)
 using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>>;
-using PlansWithOptions = PlanList<Plan<2, true, grows, velocity, grows>>;
+using PlansWithOptions = PlanList<Plan<3, true, fades, velocity, grows>>;
 #else
 using SimplePlans = PlanList<Plan<2, false, fades, velocity, grows>, Plan<1, false, fades, velocity, grows>,
                              Plan<3, false, fades, velocity, grows>, Plan<2, false, grows, velocity, grows>,

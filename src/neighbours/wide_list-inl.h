@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 
 #include "neighbours/wide_candidates-inl.h"
 
@@ -17,27 +18,27 @@ namespace HWY_NAMESPACE {
 
 // So many candidates are listed before they are walked, of so many spans.
 constexpr std::size_t listed_at_once = 512;
-constexpr std::size_t turns_at_once = 64;
+constexpr std::size_t spans_at_once = 64;
 
 // Slots of candidates in their order, and over which seams they are seen: the number of their span, where
 // that tells.
 struct Listed {
   std::size_t count;
   std::uint32_t slot[listed_at_once + batch_size];
-  std::uint32_t turn[listed_at_once + batch_size];
+  std::uint32_t span[listed_at_once + batch_size];
 };
 
 // What a seam adds to the way from a candidate, span by span.
 struct Shifts {
-  std::uint32_t turn = 0;  ///< the span at hand
-  float shift[turns_at_once][3];
+  std::uint32_t span = 0;  ///< the span at hand
+  float shift[spans_at_once][3];
 };
 
 HWY_INLINE void SetShift(const Span& span, const Wrapping& image, Shifts& shifts) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float size = image.size[axis];
     const Seam seam = span.seam[axis];
-    shifts.shift[shifts.turn][axis] = seam == Seam::low ? size : seam == Seam::high ? -size : 0.0f;
+    shifts.shift[shifts.span][axis] = seam == Seam::low ? size : seam == Seam::high ? -size : 0.0f;
   }
 }
 
@@ -96,7 +97,8 @@ HWY_INLINE std::size_t StoreWhere(Lanes_mask mask, std::size_t first, std::uint3
 #endif
 }
 
-// Adds the candidates [begin, end) that may be near somebody in the box.
+// Adds the candidates [begin, end) that may be near somebody in the box: all of them where only a comparison
+// finds the nearest image.
 template <int D, Wraps wraps>
 HWY_INLINE void List(const Boids& boids, const LaneBox& box, Lanes outer, const Shifts& shifts,
                      std::size_t begin, std::size_t end, Listed& listed) {
@@ -104,16 +106,17 @@ HWY_INLINE void List(const Boids& boids, const LaneBox& box, Lanes outer, const 
   const hn::RebindToSigned<Floats> di;
   std::size_t count = listed.count;
   for (std::size_t first = begin; first < end; first += width) {
+    assert(count + width <= std::size(listed.slot));
     auto near = hn::FirstN(d, std::min(width, end - first));
     if (wraps != Wraps::by_comparison) {
       Lanes at[3];
       for (std::size_t axis = 0; axis < D; ++axis)
         at[axis] = LoadSome(boids.position[axis] + first, std::min(width, boids.count - first));
-      near = hn::And(near, hn::Lt(FromBox<D, wraps>(box, at, shifts.shift[shifts.turn]), outer));
+      near = hn::And(near, hn::Lt(FromBox<D, wraps>(box, at, shifts.shift[shifts.span]), outer));
     }
     if (wraps == Wraps::by_span)
-      hn::StoreU(hn::Set(di, static_cast<std::int32_t>(shifts.turn)), di,
-                 reinterpret_cast<std::int32_t*>(listed.turn + count));
+      hn::StoreU(hn::Set(di, static_cast<std::int32_t>(shifts.span)), di,
+                 reinterpret_cast<std::int32_t*>(listed.span + count));
     count += StoreWhere(near, first, listed.slot + count);
   }
   listed.count = count;

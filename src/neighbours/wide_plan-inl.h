@@ -20,6 +20,7 @@ struct Plan {
   static constexpr std::size_t rows = sizeof...(list);
   static constexpr WideAddend addends[rows] = {list...};
   static constexpr int filters = filter_count;
+  static_assert(filters <= 3 && rows <= 4 && filters <= rows, "what walks a plan is written out for so many");
   static constexpr bool has_options = with_options;
   static constexpr int filter_of(int row) { return row < filters ? row : filters - 1; }
   /// Numbers in the sum of a row.

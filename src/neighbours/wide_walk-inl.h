@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 
 #include "neighbours/wide_list-inl.h"
 #include "neighbours/wide_plan-inl.h"
@@ -48,10 +49,11 @@ HWY_INLINE Lanes_mask Passes(const Walk<D, ThePlan>& walk, const Targets<D>& tar
 
 // Lists a candidate for one of the smaller filters where some lane has it near enough, without a branch.
 template <int f, Wraps wraps, int D>
-HWY_INLINE void ListNear(const Seen<D>& seen, Lanes outer, std::uint32_t candidate, std::uint32_t turn,
+HWY_INLINE void ListNear(const Seen<D>& seen, Lanes outer, std::uint32_t candidate, std::uint32_t span,
                          Listed* listed, std::size_t& count) {
+  assert(count < listed_at_once);
   listed[f].slot[count] = candidate;
-  if (wraps == Wraps::by_span) listed[f].turn[count] = turn;
+  if (wraps == Wraps::by_span) listed[f].span[count] = span;
   count += hn::CountTrue(Floats(), hn::Lt(seen.distance_squared, outer)) == 0 ? 0 : 1;
 }
 
@@ -76,16 +78,16 @@ HWY_NOINLINE void WalkListed(Walk<D, ThePlan>& walk, Running<ThePlan>& sums, Who
   for (std::size_t i = 0; i < count; ++i) {
     // Read once more for the lanes below: there it is spread over them on the way.
     const std::uint32_t candidate = static_cast<const volatile std::uint32_t&>(slots[i]);
-    std::uint32_t turn = 0;
+    std::uint32_t span = 0;
     Lanes shift[3];
     if constexpr (wraps == Wraps::by_span) {
-      turn = walk.listed[f].turn[i];
+      span = walk.listed[f].span[i];
       for (std::size_t axis = 0; axis < D; ++axis)
-        shift[axis] = hn::Set(Floats(), walk.shifts.shift[turn][axis]);
+        shift[axis] = hn::Set(Floats(), walk.shifts.shift[span][axis]);
     }
     const Seen<D> seen = Look<D, wraps>(targets, boids, walk.batch.image, shift, candidate);
-    if constexpr (lists && f > 0) ListNear<0, wraps>(seen, outer_0, candidate, turn, walk.listed, near_0);
-    if constexpr (lists && f > 1) ListNear<1, wraps>(seen, outer_1, candidate, turn, walk.listed, near_1);
+    if constexpr (lists && f > 0) ListNear<0, wraps>(seen, outer_0, candidate, span, walk.listed, near_0);
+    if constexpr (lists && f > 1) ListNear<1, wraps>(seen, outer_1, candidate, span, walk.listed, near_1);
     auto mask = Passes<f>(walk, targets, outer, seen, boids, candidate);
     if constexpr (!ThePlan::template adds_nothing_to_itself<f>())
       mask = NotSelf(mask, slots[i], targets.slots);
@@ -112,7 +114,7 @@ HWY_INLINE void WalkFrom(Walk<D, ThePlan>& walk, Running<ThePlan>& running, Whol
 template <int D, Wraps wraps, class ThePlan>
 HWY_INLINE void WalkLists(Walk<D, ThePlan>& walk, Running<ThePlan>& running, Wholes<ThePlan>& wholes) {
   WalkFrom<D, wraps, ThePlan, ThePlan::filters - 1>(walk, running, wholes);
-  walk.shifts.turn = 0;
+  walk.shifts.span = 0;
 }
 
 // A few candidates are summed in float alone, many in double piece by piece.
@@ -142,7 +144,7 @@ HWY_INLINE void WalkSpans(Walk<D, ThePlan>& walk, std::size_t first) {
       if (!few) Fold<D, ThePlan>(running, wholes);
       left = at_once;
     }
-    if (wraps == Wraps::by_span && ++walk.shifts.turn == turns_at_once)
+    if (wraps == Wraps::by_span && ++walk.shifts.span == spans_at_once)
       WalkLists<D, wraps>(walk, running, wholes);
   }
   WalkLists<D, wraps>(walk, running, wholes);
