@@ -120,7 +120,7 @@ class Grid : public NeighbourIndex {
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(cloud_.dimensions); ++axis)
       cells_in_ball *= reach_ * double{axes_[axis].cells_per_length};
     const double count = std::max<double>(1, static_cast<double>(cloud_.count));
-    return std::min(count, (pairs / count - 1) * std::max(1.0, cells_in_ball));
+    return (pairs / count - 1) * std::max(1.0, cells_in_ball);
   }
 
   void batches(std::vector<Span>& batches) const override {

@@ -108,7 +108,9 @@ class NeighbourIndex {
   /// The cells of `ring`; nothing where there are none.
   virtual CellLayout layout() const { return {}; }
 
-  /// How many neighbours a boid has within the reach, roughly and on average; 0 where it can't be told.
+  /// How many neighbours a boid would have within the reach, on average, if all of that were as crowded as
+  /// the cell it stands in: so it may be more than there are. Finer cells see more of a small clump. 0 where
+  /// it can't be told.
   virtual double crowding() const { return 0; }
 
   /// The cells or leaves that hold boids.

@@ -27,20 +27,21 @@ bool is_plain_sum(const NeighbourRow& row) {
 
 // Whether such a row sees so many that cells pay; by measurement. Sooner where a flock also has rows of
 // another kind, because in a crowd those cost most, and are relieved of the wider walk.
-bool is_crowded(const NeighbourRow& row, const FlockModel& flock, const Model& model, double crowding) {
+bool is_crowded(const NeighbourRow& row, const FlockModel& flock, const Model& model, const Crowd& crowd) {
   const double share = std::sqrt(double{row.outer_squared}) / double{model.reach};
-  const double seen = crowding * (model.dimensions == 3 ? share * share * share : share * share);
+  const double in_ring = crowd.density * (model.dimensions == 3 ? share * share * share : share * share);
+  const double seen = std::min(in_ring, static_cast<double>(crowd.boids));
   const bool is_alone = std::all_of(flock.rows.begin(), flock.rows.end(), is_plain_sum);
   const double enough = is_alone ? 500 : 200;
   return seen >= (model.dimensions == 3 ? 1.6 * enough : enough);
 }
 
-std::uint64_t dense_rows(const FlockModel& flock, const Model& model, double crowding) {
+std::uint64_t dense_rows(const FlockModel& flock, const Model& model, const Crowd& crowd) {
   std::uint64_t rows = 0;
   for (std::size_t r = 0; r < flock.rows.size(); ++r) {
     const NeighbourRow& row = flock.rows[r];
     if (!is_plain_sum(row) || model.index.path == SumPath::sparse) continue;
-    if (model.index.path == SumPath::dense || is_crowded(row, flock, model, crowding))
+    if (model.index.path == SumPath::dense || is_crowded(row, flock, model, crowd))
       rows |= std::uint64_t{1} << r;
   }
   return rows;
@@ -127,14 +128,14 @@ void Passes::plan_sparse(const Model& model, std::size_t flock) {
   if (wide_) pass->programs = programs_;
 }
 
-void Passes::plan(const Model& model, bool may_be_wide, double crowding) {
+void Passes::plan(const Model& model, bool may_be_wide, const Crowd& crowd) {
   const std::size_t flocks = model.flocks.size();
   count_ = 0;
   bool all_have_programs = true;
   sparse_.assign(flocks, 0);
   programs_.assign(flocks, {});
   for (std::size_t f = 0; f < flocks; ++f) {
-    sparse_[f] = finite_rows(model.flocks[f]) & ~dense_rows(model.flocks[f], model, crowding);
+    sparse_[f] = finite_rows(model.flocks[f]) & ~dense_rows(model.flocks[f], model, crowd);
     const auto program = wide_program(model.flocks[f], sparse_[f]);
     all_have_programs = all_have_programs && program.has_value();
     if (program) programs_[f] = *program;
@@ -143,7 +144,7 @@ void Passes::plan(const Model& model, bool may_be_wide, double crowding) {
   wide_ = may_be_wide && all_have_programs;
   for (std::size_t f = 0; f < flocks; ++f) {
     if (sparse_[f] != 0) plan_sparse(model, f);
-    plan_dense(model.flocks[f], f, model, dense_rows(model.flocks[f], model, crowding));
+    plan_dense(model.flocks[f], f, model, dense_rows(model.flocks[f], model, crowd));
   }
 }
 

@@ -27,14 +27,20 @@ struct SumPass {
   void clear(std::size_t flocks);
 };
 
+/// How crowded a world is.
+struct Crowd {
+  double density = 0;  ///< boids in a ball of the model's reach, as `NeighbourIndex::crowding` tells
+  std::size_t boids = 0;
+};
+
 /// All passes of a step. The memory of earlier steps is used again.
 class Passes {
  public:
   /// The passes of a model, the same for every kernel: how a sum is rounded depends on who is a candidate.
   /// Flocks whose programs have one shape share one, and where a flock has no program all do. A row that
-  /// is a plain sum over a ring gets a dense pass of its own where the model asks for it, or where a boid has
-  /// about `crowding` neighbours within the model's reach and the row thus sees very many.
-  void plan(const Model& model, bool may_be_wide, double crowding = 0);
+  /// is a plain sum over a ring gets a dense pass of its own where the model asks for it, or where it sees
+  /// very many in such a crowd.
+  void plan(const Model& model, bool may_be_wide, const Crowd& crowd = {});
   std::span<const SumPass> all() const { return std::span(passes_).first(count_); }
   std::span<SumPass> all() { return std::span(passes_).first(count_); }
   bool has_dense() const;

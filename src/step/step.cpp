@@ -2,6 +2,7 @@
 #include "step/step.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "step/life.h"
 #include "step/room.h"
@@ -47,10 +48,15 @@ bool is_the_same(const Index& one, const Index& other) {
   return one.kind == other.kind && one.leaf_size == other.leaf_size && one.depth_limit == other.depth_limit;
 }
 
-// Rows of cells in one reach, so that whole cells fill most of it; by measurement.
-int fineness_for(int dimensions, double crowding) {
-  if (dimensions == 3) return crowding < 5000 ? 3 : 5;
-  return crowding < 2000 ? 4 : crowding < 6000 ? 6 : 12;
+// Rows of cells in one reach, so that whole cells fill most of it; by measurement. In great crowds the boids
+// at the rim and the rows of cells then grow alike.
+int fineness_for(int dimensions, const Crowd& crowd) {
+  constexpr double most = 4096;
+  const double seen = std::min(crowd.density, static_cast<double>(crowd.boids));
+  const double more = std::max(1.0, crowd.density / 10'000);
+  if (dimensions == 3) return seen < 5000 ? 3 : static_cast<int>(std::min(most, 5 * std::cbrt(more)));
+  if (seen < 6000) return seen < 2000 ? 4 : 6;
+  return static_cast<int>(std::min(most, 12 * std::sqrt(more)));
 }
 
 // So few that cells cost more than looking at everybody; by measurement.
@@ -108,19 +114,32 @@ Wrapping image_of(const Model& model) {
   return image;
 }
 
+namespace {
+
+// Plans by how crowded cells are. Dense passes want finer ones, which may tell of a clump that is denser
+// still.
+void plan_passes(const Model& model, Cloud cloud, Scratch& scratch, const Workers& workers) {
+  for (Crowd crowd{0, cloud.count};;) {
+    crowd.density = std::max(crowd.density, scratch.index->crowding());
+    scratch.passes.plan(model, is_wide_in_use(), crowd);
+    const int wanted = fineness_for(model.dimensions, crowd);
+    const bool uses_cells = scratch.passes.has_dense() && scratch.index->layout().rows > 0;
+    if (!uses_cells || wanted < 2 * cloud.fineness) return;
+    cloud.fineness = wanted;
+    scratch.index->build(cloud, model.reach, workers, scratch.order);
+  }
+}
+
+}  // namespace
+
 void sort_by_place(const Model& model, State& state, Scratch& scratch, const Workers& workers) {
   scratch.order.clear();
   scratch.is_indexed = model.reach > 0 && state.size() > 0;
   if (!scratch.is_indexed) return scratch.passes.plan(model, is_wide_in_use());
-  Cloud cloud = cloud_of(model, state);
+  const Cloud cloud = cloud_of(model, state);
   fit_index(model, cloud, scratch);
   scratch.index->build(cloud, model.reach, workers, scratch.order);
-  const double crowding = scratch.index->crowding();
-  scratch.passes.plan(model, is_wide_in_use(), crowding);
-  if (scratch.passes.has_dense() && scratch.index->layout().rows > 0) {
-    cloud.fineness = fineness_for(model.dimensions, crowding);
-    scratch.index->build(cloud, model.reach, workers, scratch.order);
-  }
+  plan_passes(model, cloud, scratch, workers);
   reorder(state, scratch.order, scratch.spare, workers);
 }
 

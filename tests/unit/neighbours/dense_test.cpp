@@ -91,7 +91,7 @@ Passes planned(const CrowdScene& scene, SumPath path) {
   Model model = scene.model;
   model.index.path = path;
   Passes passes;
-  passes.plan(model, isa_in_use() != "plain", 0);
+  passes.plan(model, isa_in_use() != "plain");
   for (SumPass& pass : passes.all()) {
     if (!pass.is_dense) continue;
     const Boids boids = scene.boids();
