@@ -248,6 +248,21 @@ TEST(AutomaticPath, IsDenseInAClump) {
   }
 }
 
+// All stand within a fraction of the largest radius, and a much smaller one still holds hundreds of them.
+TEST(AutomaticPath, SeesHowCrowdedASmallRadiusIsInAClump) {
+  for (const char* base : {"bench-2d", "bench-3d"}) {
+    ScenarioDef scenario = clump(base, 6000, 2.5);
+    FlockDef& flock = scenario.flocks.front();
+    flock.start.min_speed = flock.min_speed = 0.001;
+    flock.start.max_speed = flock.max_speed = 0.002;
+    flock.separation[0].strength = Strength::grows;
+    flock.separation[0].radius = flock.cohesion[0].radius / 5;
+    const std::uint64_t dense_hash = hash_after(on_path(scenario, SumPath::dense));
+    EXPECT_EQ(hash_after(scenario), dense_hash) << base;
+    EXPECT_NE(hash_after(on_path(scenario, SumPath::sparse)), dense_hash) << "the paths can't be told apart";
+  }
+}
+
 TEST(AutomaticPath, IsSparseWhereBoidsStandEvenly) {
   for (const char* name : {"bench-2d", "bench-3d"}) {
     const ScenarioDef scenario = shipped(name, 3000);
