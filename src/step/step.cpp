@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "step/life.h"
 #include "step/room.h"
@@ -49,9 +50,13 @@ bool is_the_same(const Index& one, const Index& other) {
 }
 
 // Rows of cells in one reach, so that whole cells fill most of it; by measurement. In great crowds the boids
-// at the rim and the rows of cells then grow alike.
-int fineness_for(int dimensions, const Crowd& crowd) {
-  constexpr double most = 4096;
+// at the rim and the rows of cells then grow alike; a clump that lies within the smallest radius has no rim,
+// and a few rows tell its shape. `share`: the smallest radius as a part of the reach.
+int fineness_for(int dimensions, const Crowd& crowd, double share) {
+  const double clumps_in_reach = crowd.density / static_cast<double>(crowd.boids);
+  const double in_clump = dimensions == 3 ? 3 * std::cbrt(clumps_in_reach) : 8 * std::sqrt(clumps_in_reach);
+  const bool has_rim = clumps_in_reach * std::pow(share, dimensions) < 1;
+  const double most = has_rim ? 4096 : std::clamp(in_clump, dimensions == 3 ? 5.0 : 12.0, 4096.0);
   const double seen = std::min(crowd.density, static_cast<double>(crowd.boids));
   const double more = std::max(1.0, crowd.density / 10'000);
   if (dimensions == 3) return seen < 5000 ? 3 : static_cast<int>(std::min(most, 5 * std::cbrt(more)));
@@ -116,13 +121,20 @@ Wrapping image_of(const Model& model) {
 
 namespace {
 
+double least_reach(const Passes& passes) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const SumPass& pass : passes.all()) least = std::min(least, pass.reach);
+  return double{least};
+}
+
 // Plans by how crowded cells are. Dense passes want finer ones, which may tell of a clump that is denser
 // still.
 void plan_passes(const Model& model, Cloud cloud, Scratch& scratch, const Workers& workers) {
   for (Crowd crowd{0, cloud.count};;) {
     crowd.density = std::max(crowd.density, scratch.index->crowding());
     scratch.passes.plan(model, is_wide_in_use(), crowd);
-    const int wanted = fineness_for(model.dimensions, crowd);
+    const int wanted =
+        fineness_for(model.dimensions, crowd, least_reach(scratch.passes) / double{model.reach});
     const bool uses_cells = scratch.passes.has_dense() && scratch.index->layout().rows > 0;
     if (!uses_cells || wanted < 2 * cloud.fineness) return;
     cloud.fineness = wanted;
